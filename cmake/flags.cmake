@@ -1,0 +1,14 @@
+# Warnings and flags, for our own targets only. Never -ffast-math: all instruction sets and both
+# compilers give the same bits, which -ffp-contract=off keeps true.
+add_library(portalens_flags INTERFACE)
+target_compile_features(portalens_flags INTERFACE cxx_std_20)
+target_compile_options(portalens_flags INTERFACE
+  -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Wno-psabi -ffp-contract=off -fno-math-errno)
+if(PORTALENS_SANITIZE)
+  target_compile_options(portalens_flags INTERFACE
+    -fsanitize=${PORTALENS_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(portalens_flags INTERFACE -fsanitize=${PORTALENS_SANITIZE})
+endif()
+if(PORTALENS_STD_THREADS)
+  target_compile_definitions(portalens_flags INTERFACE PORTALENS_STD_THREADS)
+endif()

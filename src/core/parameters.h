@@ -1,0 +1,107 @@
+/// \file
+/// Values with their places, and the reader that turns a table of them into typed parameters.
+///
+/// A `Table` is what a file said, uninterpreted; `Parameters` interprets it. Whatever asks for a
+/// key makes that key known, so the list of known keys is never written twice: `finish` reports the
+/// keys that nobody asked for, and suggests the nearest that somebody did.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "core/error.h"
+
+namespace portalens {
+
+/// One value of a scene file.
+struct Value {
+  using List = std::vector<Value>;
+  using Dictionary = std::vector<std::pair<std::string, Value>>;
+  std::variant<bool, std::int64_t, double, std::string, List, Dictionary> data;
+  Location where;
+};
+
+/// A named group of values: a `[section]`, or one `[[element]]` of a list.
+struct Table {
+  std::string kind;  ///< "camera", "sphere", "material", ...
+  Location where;
+  Value::Dictionary entries;
+
+  [[nodiscard]] const Value* find(std::string_view key) const;
+  /// Adds the value, or replaces the one that stands there.
+  void set(std::string_view key, Value value);
+};
+
+/// What a number must satisfy.
+struct Bounds {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool open_low = false;  ///< `low` itself is not allowed
+};
+inline constexpr Bounds any_number{};
+inline constexpr Bounds positive{0.0, std::numeric_limits<double>::infinity(), true};
+inline constexpr Bounds non_negative{0.0, std::numeric_limits<double>::infinity(), false};
+inline constexpr Bounds unit_interval{0.0, 1.0, false};
+
+using Triple = std::array<double, 3>;
+
+/// Typed access to a table. A missing fallback means that the key is required. Each mistake is
+/// added to the collector, and a harmless value returned, so that reading goes on to the next.
+class Parameters {
+ public:
+  Parameters(const Table& table, Faults& faults);
+
+  [[nodiscard]] bool has(std::string_view key);
+  /// Where the key stands, or the table if it is absent.
+  [[nodiscard]] Location where(std::string_view key) const;
+  [[nodiscard]] Location where() const { return table_->where; }
+  [[nodiscard]] const std::string& kind() const { return table_->kind; }
+  [[nodiscard]] Faults& faults() { return *faults_; }
+
+  double number(std::string_view key, Bounds bounds = any_number,
+                std::optional<double> fallback = std::nullopt);
+  std::int64_t integer(std::string_view key, std::int64_t low, std::int64_t high,
+                       std::optional<std::int64_t> fallback = std::nullopt);
+  bool boolean(std::string_view key, std::optional<bool> fallback = std::nullopt);
+  std::string text(std::string_view key, std::optional<std::string> fallback = std::nullopt);
+  /// One of `known`; the message for another word lists them.
+  std::string choice(std::string_view key, std::span<const std::string_view> known,
+                     std::optional<std::string> fallback = std::nullopt);
+  Triple triple(std::string_view key, Bounds bounds = any_number,
+                std::optional<Triple> fallback = std::nullopt);
+  /// A list of points; `low` to `high` of them.
+  std::vector<Triple> points(std::string_view key, std::size_t low, std::size_t high);
+  /// A number, or one for each axis.
+  Triple number_or_triple(std::string_view key, Bounds bounds = any_number,
+                          std::optional<Triple> fallback = std::nullopt);
+  /// The value itself, for keys that take several forms; null if absent.
+  const Value* raw(std::string_view key);
+
+  void fault(std::string_view key, std::string problem, std::string remedy);
+  /// Reports every key that nobody asked for.
+  void finish();
+
+ private:
+  const Value* require(std::string_view key, bool optional, std::string_view what);
+  std::optional<double> checked(std::string_view key, const Value& value, Bounds bounds);
+  std::optional<Triple> checked_triple(std::string_view key, const Value& value, Bounds bounds);
+
+  const Table* table_;
+  Faults* faults_;
+  std::set<std::string, std::less<>> known_;
+};
+
+/// The member of `known` that `word` was probably meant to be, or an empty string: a small edit
+/// distance, or a word other renderers use for it.
+[[nodiscard]] std::string suggestion(std::string_view word, const std::vector<std::string>& known);
+
+}  // namespace portalens

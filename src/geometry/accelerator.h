@@ -1,0 +1,69 @@
+/// \file
+/// Finding the surface a segment meets, among all the surfaces of a scene.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "geometry/ray.h"
+#include "geometry/shape.h"
+
+namespace portalens {
+
+inline constexpr std::uint32_t no_object = 0xffffffffu;
+
+/// Where a ray met a surface: which shape of the accelerator's list, and where on it.
+struct SurfaceHit {
+  std::uint32_t shape = no_object;
+  std::uint32_t face = 0;
+  double distance = 0.0;
+};
+
+/// The surface that a path starts on. Within `reach` of its start the path can't meet that face
+/// again in the direction in which it left (rounding would let it); in the opposite direction it
+/// can.
+struct Departure {
+  std::uint32_t shape = no_object;
+  std::uint32_t face = 0;
+  double side = 0.0;   ///< sign of (direction · normal) when it left
+  double reach = 0.0;  ///< length of path, from the start of the ray, within which this holds
+};
+
+/// Immutable after construction, safe from any thread. Meshes are found by Embree in float, as
+/// candidates, and their hits computed again in double; the other shapes are exact in double.
+class Accelerator {
+ public:
+  explicit Accelerator(std::vector<Shape> shapes);
+  ~Accelerator();
+  Accelerator(Accelerator&&) noexcept;
+  Accelerator& operator=(Accelerator&&) noexcept;
+
+  [[nodiscard]] const std::vector<Shape>& shapes() const;
+  [[nodiscard]] const Box& bounds() const;
+
+  /// The nearest contact at low <= distance <= high.
+  [[nodiscard]] std::optional<SurfaceHit> nearest(const Ray& ray, double low, double high,
+                                                  const Departure& departure = {}) const;
+  /// Whether anything lies at low <= distance <= high.
+  [[nodiscard]] bool blocked(const Ray& ray, double low, double high,
+                             const Departure& departure = {}) const;
+  /// A lower bound of the distance from `x` to any surface, at most `limit`.
+  [[nodiscard]] double clearance(Vec3d x, double limit) const;
+  /// False only if no surface lies within `radius` of the segment.
+  [[nodiscard]] bool near(const Segment& segment, double radius) const;
+
+  /// The contact of this shape nearest to distance 0 with |distance| <= `reach`, either way along
+  /// the ray, or nothing. For polishing a hit that is known to be close.
+  [[nodiscard]] std::optional<Contact> contact_near(std::uint32_t shape, std::uint32_t face,
+                                                    const Ray& ray, double reach) const;
+  [[nodiscard]] SurfacePoint surface_at(std::uint32_t shape, std::uint32_t face, Vec3d x) const;
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace portalens

@@ -1,0 +1,33 @@
+/// \file
+/// The list of shapes. To add one: a header beside this one, and a word in `Shape`.
+///
+/// Each type has
+///   static constexpr std::string_view name;            its table's kind in a scene file
+///   static T from(Parameters&);                        faults are collected there
+///   Box bounds() const;
+///   std::optional<Contact> intersect(const Ray&, double low, double high) const;
+///       the nearest contact at low <= distance <= high; both sides of a surface count
+///   SurfacePoint surface_at(Vec3d x, std::uint32_t face) const;   x lies on that face
+///   double clearance(const Segment&) const;
+///       a lower bound of the distance between the segment and the surface, 0 if unsure
+///   Vec3d center_of_mass() const;                      physics.md, section 2
+///   double area() const;
+///   SurfacePoint sample(double u1, double u2) const;   uniform by area
+/// and is immutable. `Mesh` leaves intersection and clearance to the accelerator.
+#pragma once
+
+#include <variant>
+
+#include "geometry/cone.h"
+#include "geometry/cube.h"
+#include "geometry/cylinder.h"
+#include "geometry/mesh.h"
+#include "geometry/quad.h"
+#include "geometry/ring.h"
+#include "geometry/sphere.h"
+
+namespace portalens {
+
+using Shape = std::variant<Sphere, Quad, Cube, Cone, Cylinder, Ring, Mesh>;
+
+}  // namespace portalens

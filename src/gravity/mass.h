@@ -1,0 +1,40 @@
+/// \file
+/// A mass, with the radii that follow from it. Dunigan & Pianta, sec. 5; physics.md, sec. 2.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "math/vec3.h"
+
+namespace portalens {
+
+/// @param gm  G·M, length³/time², >= 0
+/// @param c   speed of light, length/time, > 0
+/// @return m = G M / c², length
+[[nodiscard]] inline double gravitational_radius(double gm, double c) { return gm / (c * c); }
+
+/// @return r_s = 2 G M / c², length
+[[nodiscard]] inline double schwarzschild_radius(double gm, double c) {
+  return 2.0 * gravitational_radius(gm, c);
+}
+
+/// Distance at which a mass pulls a photon with acceleration `threshold`: R = sqrt(G M / f).
+/// @param threshold  length/time², >= 0; 0 makes the influence infinite
+[[nodiscard]] inline double influence_radius(double gm, double threshold) {
+  if (gm == 0.0) return 0.0;
+  return threshold > 0.0 ? std::sqrt(gm / threshold) : std::numeric_limits<double>::infinity();
+}
+
+struct Mass {
+  std::string name;
+  Vec3d center;
+  double gm = 0.0;      ///< G M
+  double core = 0.0;    ///< Plummer's core radius a
+  bool horizon = true;  ///< a photon within `schwarzschild` of the centre is absorbed
+  double schwarzschild = 0.0;
+  double influence = 0.0;  ///< R; infinite if the threshold is 0
+};
+
+}  // namespace portalens

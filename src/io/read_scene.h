@@ -1,0 +1,20 @@
+/// \file
+/// Reading a scene: TOML, or the paper's OBJ dialect, by the suffix.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace portalens {
+
+/// @throws SceneError if the file can't be read or isn't well-formed
+[[nodiscard]] Scene read_scene(const std::filesystem::path& file);
+
+/// Sets `section.key` to a value written as in TOML ("physics.tolerance=1e-5"), as if the file said
+/// so. An unknown section is a fault of the command line.
+void override_value(Scene& scene, const std::string& assignment, Faults& faults);
+
+}  // namespace portalens

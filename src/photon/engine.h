@@ -1,0 +1,28 @@
+/// \file
+/// Advancing photons until each has arrived somewhere: the interface of all engines.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "photon/photon.h"
+#include "photon/space.h"
+
+namespace portalens {
+
+/// What a curious caller can be told of one photon's way (`trace --path`).
+struct Journey {
+  std::vector<std::vector<Vec3d>> stretches{{}};  ///< one polyline between portal crossings
+  std::vector<std::uint32_t> crossings;           ///< the portals entered, in order
+};
+
+/// Advances photons to their first surface. `arrivals[i]` answers `photons[i]`, whatever the order
+/// of work inside; no photon's answer depends on another's.
+/// @pre photons.size() == arrivals.size(), directions are unit vectors
+void advance(const Space& space, std::span<const Photon> photons, std::span<Arrival> arrivals);
+
+/// The same for one photon, with its way written down.
+[[nodiscard]] Arrival advance_recorded(const Space& space, const Photon& photon, Journey& journey);
+
+}  // namespace portalens

@@ -1,0 +1,47 @@
+/// \file
+/// What enters `advance`, and what comes out of it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "geometry/accelerator.h"
+#include "math/vec3.h"
+
+namespace portalens {
+
+/// How a photon ends; physics.md, sec. 6.
+enum class Fate : std::uint8_t { hit, absorbed, escaped, trapped, lost };
+inline constexpr int fate_count = 5;
+inline constexpr std::array<std::string_view, fate_count> fate_names = {
+    "hit", "absorbed", "escaped", "trapped", "lost"};
+
+/// One photon on its way back from the eye. `direction` is a unit vector.
+struct Photon {
+  Vec3d position, direction;
+  Rgb throughput{1, 1, 1};   ///< share of what it finds that reaches the film
+  std::uint32_t sample = 0;  ///< which sample of the film it belongs to
+  std::uint32_t slot = 0;    ///< its place among the photons of its wave
+  std::uint32_t bounces = 0;
+  std::uint64_t random_key = 0;  ///< (pixel, sample, place in the tree)
+  Departure departure;           ///< the surface it starts on, if any
+};
+
+enum class Met : std::uint8_t { nothing, surface, portal_back, mass };
+
+/// Where a photon ended.
+struct Arrival {
+  Fate fate = Fate::lost;
+  Met met = Met::nothing;
+  std::uint32_t object = no_object;  ///< index of the shape, the portal or the mass, as `met` says
+  std::uint32_t face = 0;
+  Vec3d position, direction;  ///< in the coordinates of where it ended
+  Rgb tint{1, 1, 1};          ///< product of the tints of the fronts it crossed
+  double length = 0.0;        ///< arc length from its start
+  double turning = 0.0;       ///< ∫ |dt/ds| ds, radians
+  std::uint32_t steps = 0;
+  std::uint32_t crossings = 0;
+};
+
+}  // namespace portalens

@@ -1,0 +1,42 @@
+#include "portal/portal.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace portalens {
+
+Frame polygon_frame(const std::vector<Vec3d>& vertices) {
+  const std::size_t count = vertices.size();
+  Vec3d sum, newell;
+  for (const Vec3d& v : vertices) sum += v - vertices[0];
+  const Vec3d origin = vertices[0] + sum / static_cast<double>(count);
+  for (std::size_t i = 0; i < count; ++i)
+    newell += cross(vertices[i] - origin, vertices[(i + 1) % count] - origin);
+  const Vec3d normal = normalize(newell);
+  const Vec3d edge = vertices[1] - vertices[0];
+  const Vec3d right = normalize(edge - normal * dot(edge, normal));
+  return {origin, right, cross(normal, right), normal};
+}
+
+Rigid motion_through(const Frame& a, const Frame& b) {
+  const auto row = [&](double br, double bu, double bn) {
+    return a.right * -br + a.up * bu + a.normal * -bn;
+  };
+  return {row(b.right.x, b.up.x, b.normal.x), row(b.right.y, b.up.y, b.normal.y),
+          row(b.right.z, b.up.z, b.normal.z), a.origin, b.origin};
+}
+
+double congruence_error(const std::vector<Vec3d>& a, const std::vector<Vec3d>& b) {
+  const std::size_t count = a.size();
+  if (count != b.size()) return std::numeric_limits<double>::infinity();
+  const Rigid through = motion_through(polygon_frame(a), polygon_frame(b));
+  double worst = 0.0, longest = 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3d& partner = b[(count + 1 - i) % count];
+    worst = std::max(worst, length(through.move(a[i]) - partner));
+    longest = std::max(longest, length(a[(i + 1) % count] - a[i]));
+  }
+  return worst / longest;
+}
+
+}  // namespace portalens

@@ -1,0 +1,41 @@
+/// \file
+/// A portal: a one-sided convex planar polygon, and the motion that leads through it.
+/// Dunigan & Pianta, sec. 4; the map is physics.md, sec. 4.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "math/rigid.h"
+
+namespace portalens {
+
+struct Portal {
+  std::string name;
+  std::vector<Vec3d> vertices;  ///< counter-clockwise seen from the front
+  Frame frame;                  ///< right along the first edge, normal towards the front
+  double longest_edge = 0.0;
+  std::uint32_t pair = 0;  ///< index of the other member
+  Rigid through;           ///< from this front to the pair's: T_A
+  Rgb tint{1, 1, 1};
+  std::optional<std::uint32_t> back_material;  ///< none: light passes from behind
+
+  /// Heights within this of the plane count as 0, and a point at height 0 is in front.
+  [[nodiscard]] double height_tolerance() const { return 1e-9 * longest_edge; }
+};
+
+/// The frame of a planar polygon: origin in the mean of the vertices, `right` along the first edge,
+/// `normal` by Newell's method.
+/// @pre at least 3 vertices that are not on one line
+[[nodiscard]] Frame polygon_frame(const std::vector<Vec3d>& vertices);
+
+/// The motion through A: (x, y, z) in A's frame becomes (-x, y, -z) in B's, half a turn about `up`.
+[[nodiscard]] Rigid motion_through(const Frame& a, const Frame& b);
+
+/// Largest distance between A's vertices moved through and the B's that correspond to them
+/// (A's v0, v1 land on B's v1, v0), divided by the longest edge; infinite if the counts differ.
+[[nodiscard]] double congruence_error(const std::vector<Vec3d>& a, const std::vector<Vec3d>& b);
+
+}  // namespace portalens

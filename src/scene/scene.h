@@ -1,0 +1,26 @@
+/// \file
+/// A scene as a file describes it: tables of values with their places, nothing interpreted yet.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "core/parameters.h"
+
+namespace portalens {
+
+/// What a reader fills and a person could edit. `compile` (world/compile.h) gives it meaning.
+struct Scene {
+  std::filesystem::path file;
+  Table camera, film, sampler, physics, shading, environment;
+  std::vector<Table> materials;
+  std::vector<Table> lights;
+  /// Primitives, portals and bare masses, in the order of the file; the kind is the table's.
+  std::vector<Table> objects;
+  /// No camera in the file: look at the bounding box from +z.
+  bool has_camera = false;
+  /// Things a user should know that are not mistakes; `check` prints them.
+  std::vector<std::string> notes;
+};
+
+}  // namespace portalens
