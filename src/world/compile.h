@@ -2,12 +2,11 @@
 /// The one place where a `Scene` gets its meaning.
 #pragma once
 
+#include "io/paths.h"
 #include "scene/scene.h"
 #include "world/world.h"
 
 namespace portalens {
-
-enum class Containment { scene_folder, anywhere };
 
 struct CompileOptions {
   Containment files = Containment::scene_folder;  ///< where textures and meshes may lie

@@ -1,0 +1,26 @@
+/// \file
+/// Reading an ordinary OBJ mesh, with its MTL materials.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "core/parameters.h"
+#include "math/triangles.h"
+
+namespace portalens {
+
+/// `triangles.material_of` indexes `materials`, which are tables of kind "material" in our own keys
+/// (diffuse, reflective, roughness, emitted); both are empty if the file names no material.
+struct MeshFile {
+  Triangles triangles;
+  std::vector<Table> materials;
+};
+
+/// Polygons are triangulated here, once. Every index and number is checked.
+/// @param asked_at  where the scene names the file; faults without a line of their own point there
+/// @return an empty mesh if there was any fault
+[[nodiscard]] MeshFile read_mesh(const std::filesystem::path& file, const Location& asked_at,
+                                 Faults& faults);
+
+}  // namespace portalens
