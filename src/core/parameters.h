@@ -14,20 +14,28 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <variant>
 #include <vector>
 
 #include "core/error.h"
+#include "core/words.h"
 
 namespace portalens {
+
+struct Entry;
 
 /// One value of a scene file.
 struct Value {
   using List = std::vector<Value>;
-  using Dictionary = std::vector<std::pair<std::string, Value>>;
+  using Dictionary = std::vector<Entry>;
   std::variant<bool, std::int64_t, double, std::string, List, Dictionary> data;
   Location where;
+};
+
+/// A key and its value.
+struct Entry {
+  std::string key;
+  Value value;
 };
 
 /// A named group of values: a `[section]`, or one `[[element]]` of a list.
@@ -40,6 +48,9 @@ struct Table {
   /// Adds the value, or replaces the one that stands there.
   void set(std::string_view key, Value value);
 };
+
+/// "a string", "a list", ...: what a value is, for messages.
+[[nodiscard]] std::string describe(const Value& value);
 
 /// What a number must satisfy.
 struct Bounds {
@@ -92,16 +103,14 @@ class Parameters {
 
  private:
   const Value* require(std::string_view key, bool optional, std::string_view what);
-  std::optional<double> checked(std::string_view key, const Value& value, Bounds bounds);
-  std::optional<Triple> checked_triple(std::string_view key, const Value& value, Bounds bounds);
+  bool checked_finite(const Value& value, Bounds bounds, double& number) const;
+  std::optional<Triple> checked_triple(std::string_view key, const Value& value, Bounds bounds,
+                                       const std::string& remedy);
+  void fault_at(const Value& value, std::string problem, std::string remedy);
 
   const Table* table_;
   Faults* faults_;
   std::set<std::string, std::less<>> known_;
 };
-
-/// The member of `known` that `word` was probably meant to be, or an empty string: a small edit
-/// distance, or a word other renderers use for it.
-[[nodiscard]] std::string suggestion(std::string_view word, const std::vector<std::string>& known);
 
 }  // namespace portalens
