@@ -1,0 +1,35 @@
+# The everyday commands; CMake does the work, and CMakePresets.json has the other builds.
+BUILD ?= build
+JOBS ?= $(shell nproc 2>/dev/null || echo 2)
+DEMO_SCENE ?= scenes/demo.toml
+DEMO_PICTURE ?= $(BUILD)/demo.png
+sources = $(shell find src tests benchmarks -name '*.h' -o -name '*.cpp')
+
+.PHONY: all demo test test-long bench format clean
+
+all: $(BUILD)/build.ninja
+	@cmake --build $(BUILD) --parallel $(JOBS)
+
+# Configured once; CMake itself sees later whether it must do so again.
+$(BUILD)/build.ninja:
+	@scripts/install-deps
+	@cmake -S . -B $(BUILD) -G Ninja -DCMAKE_BUILD_TYPE=Release
+
+demo: $(BUILD)/build.ninja
+	@cmake --build $(BUILD) --parallel $(JOBS) --target portalens
+	@$(BUILD)/portalens render $(DEMO_SCENE) -o $(DEMO_PICTURE) --stats
+
+test: all
+	@cd $(BUILD) && ctest --output-on-failure --parallel $(JOBS)
+
+test-long: all
+	@cd $(BUILD) && PORTALENS_TEST_SCALE=10 ctest --output-on-failure --parallel $(JOBS)
+
+bench: all
+	@set -e; for program in $(BUILD)/benchmarks/bench_*; do echo "== $${program##*/}"; $$program; done
+
+format:
+	@clang-format-14 -i $(sources)
+
+clean:
+	@rm -rf $(BUILD)
