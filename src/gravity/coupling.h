@@ -34,11 +34,13 @@ struct CouplingInput {
   int graviton_resolution = 32;
 };
 
-/// An acceleration, and how sharply it bends: the sum over its sources of G M / d⁵ (d with the
-/// core), from which the step is chosen.
+/// An acceleration, and how sharply it varies, from which the step is chosen: the sums over its
+/// sources of G M / d⁵ and of 1 / d⁴ (d with the core; any other length over which the field varies
+/// counts as a d).
 struct Pull {
   Vec3d acceleration;
   double stiffness = 0.0;
+  double nearness = 0.0;
 };
 
 /// Gravity ignores portals.

@@ -1,0 +1,119 @@
+/// \file
+/// The whole acceleration of a photon: every mass directly, and what comes through portals.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "geometry/ray.h"
+#include "gravity/attraction.h"
+#include "gravity/coupling.h"
+#include "gravity/mass.h"
+
+namespace portalens {
+
+/// The decisions that stay frozen over a step: which influences hold, and how portals act.
+struct Surroundings {
+  Vec3d anchor;
+  std::vector<std::uint32_t> inside;  ///< masses in whose influence the anchor lies, ascending
+  std::uint64_t signature = 0;        ///< of the coupling
+  double quiet = 0.0;                 ///< distance within which the coupling stays silent
+
+  [[nodiscard]] bool silent() const { return inside.empty() && quiet > 0.0; }
+};
+
+/// g / c² at a point, and the two sums from which a step is chosen.
+struct Bending {
+  Vec3d acceleration;      ///< 1/length: dt/ds before its part along t is removed
+  double stiffness = 0.0;  ///< Σ m / d⁵, 1/length⁴
+  double nearness = 0.0;   ///< Σ 1 / d⁴, 1/length⁴
+};
+
+/// Field of one scene with one coupling. Borrows the masses and the coupling.
+template <class C>
+class Field {
+ public:
+  Field(std::span<const Mass> masses, const C& coupling, double c)
+      : masses_(masses), coupling_(coupling), inverse_c2_(1.0 / (c * c)) {}
+
+  [[nodiscard]] std::span<const Mass> masses() const { return masses_; }
+  [[nodiscard]] double inverse_c2() const { return inverse_c2_; }
+
+  void surround(Vec3d anchor, Surroundings& out) const {
+    out.anchor = anchor;
+    out.inside.clear();
+    for (std::uint32_t i = 0; i < masses_.size(); ++i)
+      if (within(masses_[i], anchor)) out.inside.push_back(i);
+    out.quiet = coupling_.quiet(anchor);
+    out.signature = coupling_.signature(anchor);
+  }
+
+  /// @pre x is not exactly at a mass without a core
+  [[nodiscard]] Bending bending(Vec3d x, const Surroundings& frozen) const {
+    Bending sum;
+    for (std::uint32_t i : frozen.inside) {
+      const Mass& mass = masses_[i];
+      const Vec3d to_mass = mass.center - x;
+      const double q = dot(to_mass, to_mass) + mass.core * mass.core;
+      const double inverse2 = 1.0 / q;
+      const double pull = mass.gm * inverse_c2_ * inverse2 * std::sqrt(inverse2);
+      sum.acceleration += to_mass * pull;
+      sum.stiffness += pull * inverse2;
+      sum.nearness += inverse2 * inverse2;
+    }
+    if (frozen.quiet == 0.0) {
+      const Pull through = coupling_.pull(x, frozen.anchor);
+      sum.acceleration += through.acceleration * inverse_c2_;
+      sum.stiffness += through.stiffness * inverse_c2_;
+      sum.nearness += through.nearness;
+    }
+    return sum;
+  }
+
+  [[nodiscard]] std::uint64_t signature(Vec3d x) const { return coupling_.signature(x); }
+
+  /// Distance along the ray at which a mass's influence or the coupling first acts, or infinity.
+  [[nodiscard]] double free_flight(const Ray& ray, double resolution, double extent) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Mass& mass : masses_)
+      least = std::min(least, entry(mass.center, mass.influence, ray));
+    double s = 0.0;
+    while (s < least) {
+      const double quiet = coupling_.quiet(ray.at(s));
+      if (std::isinf(quiet) || s > extent) return least;
+      if (quiet <= resolution) return s;
+      s += quiet;
+    }
+    return least;
+  }
+
+  /// Distance along the ray, > 0, to the surface of the ball from outside; infinity if it is missed
+  /// or lies behind; 0 from inside.
+  [[nodiscard]] static double entry(Vec3d center, double radius, const Ray& ray) {
+    const Vec3d to = center - ray.origin;
+    const double along = dot(to, ray.direction);
+    const double outside = dot(to, to) - radius * radius;
+    if (outside <= 0.0) return 0.0;
+    if (along <= 0.0) return std::numeric_limits<double>::infinity();
+    const Vec3d across = to - ray.direction * along;
+    const double half2 = radius * radius - dot(across, across);
+    if (half2 <= 0.0) return std::numeric_limits<double>::infinity();
+    return outside / (along + std::sqrt(half2));
+  }
+
+  [[nodiscard]] static bool within(const Mass& mass, Vec3d x) {
+    const Vec3d to = mass.center - x;
+    return dot(to, to) < mass.influence * mass.influence;
+  }
+
+ private:
+  std::span<const Mass> masses_;
+  const C& coupling_;
+  double inverse_c2_;
+};
+
+}  // namespace portalens

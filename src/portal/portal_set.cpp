@@ -1,0 +1,94 @@
+#include "portal/portal_set.h"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace portalens {
+namespace {
+
+/// How far inside the polygon's edges the local point is; negative outside.
+double margin(const Portal& portal, Vec3d local) {
+  double least = std::numeric_limits<double>::infinity();
+  const std::size_t count = portal.vertices.size();
+  Vec3d from = portal.frame.to_local(portal.vertices[count - 1]);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3d to = portal.frame.to_local(portal.vertices[i]);
+    const double dx = to.x - from.x, dy = to.y - from.y;
+    const double side = dx * (local.y - from.y) - dy * (local.x - from.x);
+    least = std::min(least, side / std::sqrt(dx * dx + dy * dy));
+    from = to;
+  }
+  return least;
+}
+
+double box_distance(const Box& box, const Segment& segment) {
+  const auto gap = [](double low, double high, double a, double b) {
+    return std::max({low - std::max(a, b), 0.0, std::min(a, b) - high});
+  };
+  return length(Vec3d{gap(box.low.x, box.high.x, segment.a.x, segment.b.x),
+                      gap(box.low.y, box.high.y, segment.a.y, segment.b.y),
+                      gap(box.low.z, box.high.z, segment.a.z, segment.b.z)});
+}
+
+double segment_distance(const Portal& portal, const Box& box, const Segment& segment) {
+  const double a = portal.frame.to_local(segment.a).z, b = portal.frame.to_local(segment.b).z;
+  const double from_plane = a * b > 0.0 ? std::min(std::fabs(a), std::fabs(b)) : 0.0;
+  return std::max(from_plane, box_distance(box, segment));
+}
+
+}  // namespace
+
+PortalSet::PortalSet(std::vector<Portal> portals) : portals_(std::move(portals)) {
+  for (const Portal& portal : portals_) {
+    Box box;
+    for (const Vec3d& vertex : portal.vertices) box.add(vertex);
+    boxes_.push_back(box);
+  }
+}
+
+std::optional<double> PortalSet::contact_near(std::uint32_t index, const Ray& ray,
+                                              double reach) const {
+  const Portal& portal = portals_[index];
+  const double height = dot(ray.origin - portal.frame.origin, portal.frame.normal);
+  const double slope = dot(ray.direction, portal.frame.normal);
+  if (slope == 0.0) return std::nullopt;
+  const double distance = -height / slope;
+  if (!(std::fabs(distance) <= reach)) return std::nullopt;
+  if (margin(portal, portal.frame.to_local(ray.at(distance))) < -1e-12 * portal.longest_edge)
+    return std::nullopt;
+  return distance;
+}
+
+std::optional<PortalContact> PortalSet::nearest(const Ray& ray, double low, double high) const {
+  std::optional<PortalContact> best;
+  for (std::uint32_t i = 0; i < portals_.size(); ++i) {
+    const Portal& portal = portals_[i];
+    const double slope = dot(ray.direction, portal.frame.normal);
+    if (slope == 0.0 || (slope > 0.0 && !portal.back_material)) continue;
+    double distance = -dot(ray.origin - portal.frame.origin, portal.frame.normal) / slope;
+    // A point within the tolerance behind the plane still counts as in front.
+    if (slope < 0.0 && distance < low && (distance - low) * slope <= portal.height_tolerance())
+      distance = low;
+    if (!(distance >= low && distance <= high) || (best && distance >= best->distance)) continue;
+    if (margin(portal, portal.frame.to_local(ray.at(distance))) < -1e-12 * portal.longest_edge)
+      continue;
+    best = PortalContact{i, slope < 0.0 ? PortalSide::front : PortalSide::back, distance};
+  }
+  return best;
+}
+
+double PortalSet::clearance(Vec3d x, double limit) const {
+  double least = limit;
+  for (std::size_t i = 0; i < portals_.size(); ++i)
+    least = std::min(least, segment_distance(portals_[i], boxes_[i], {x, x}));
+  return least;
+}
+
+bool PortalSet::near(const Segment& segment, double radius) const {
+  for (std::size_t i = 0; i < portals_.size(); ++i)
+    if (segment_distance(portals_[i], boxes_[i], segment) <= radius) return true;
+  return false;
+}
+
+}  // namespace portalens
