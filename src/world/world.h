@@ -4,15 +4,11 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "photon/space.h"
-#include "shading/environment.h"
-#include "shading/light.h"
-#include "shading/material.h"
+#include "shading/appearance.h"
 #include "world/camera.h"
 
 namespace portalens {
@@ -27,30 +23,10 @@ struct Sampling {
   std::int64_t seed = 0;
 };
 
-/// The `[shading]` table.
-struct ShadingLimits {
-  std::uint32_t max_bounces = 8;
-  Rgb lost_color{1, 0, 1};
-  std::uint32_t shadow_samples = 1;
-  Rgb ambient{0.05, 0.05, 0.05};
-};
-
-/// A surface of the scene: `Space::surfaces` and this list have the same indices.
-struct Body {
-  std::string name;
-  std::string kind;
-  std::uint32_t material = 0;
-  std::optional<std::uint32_t> mass;  ///< index into `Space::masses`
-};
-
 struct World {
   std::filesystem::path file;
   Space space;
-  std::vector<Body> bodies;
-  std::vector<Material> materials;
-  std::vector<Light> lights;
-  Environment environment;
-  ShadingLimits shading;
+  Appearance appearance;
   Camera camera;
   Film film;
   Sampling sampling;

@@ -1,0 +1,22 @@
+/// \file
+/// What escaped light comes from: a colour all round, or an equirectangular sky.
+#pragma once
+
+#include <memory>
+
+#include "shading/texture.h"
+
+namespace portalens {
+
+/// A sky's centre is -z, +x lies to the right of it, +y on top; `rotation` turns it about +y.
+struct Environment {
+  Rgb color{0.2, 0.3, 0.5};
+  std::shared_ptr<const Image> image;  ///< in place of the colour, if there is one
+  double rotation = 0.0;               ///< degrees, right-handed about +y
+
+  static Environment from(Parameters& parameters, const ImageLoader& load);
+  /// @param direction  unit vector towards the sky
+  [[nodiscard]] Rgb radiance(Vec3d direction) const;
+};
+
+}  // namespace portalens

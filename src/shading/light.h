@@ -1,0 +1,81 @@
+/// \file
+/// What gives light: points, and surfaces that emit. physics.md, sec. 7.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/parameters.h"
+#include "geometry/shape.h"
+#include "math/vec3.h"
+
+namespace portalens {
+
+/// One point of a light, as a surface that it shines on sees it.
+/// Irradiance of a surface at distance d under the angle θ, before anything is in the way:
+/// `power · cos θ / d²`, for a light with a surface times |cos| of the angle at the light.
+struct LightSample {
+  Vec3d position;
+  Vec3d normal;  ///< unit; 0 for a point light
+  Rgb power;     ///< W/sr: intensity of a point; radiance over probability per area of a surface
+};
+
+/// A `[[light]]`.
+struct PointLight {
+  std::string name;
+  Vec3d position;
+  Rgb intensity;  ///< W/sr
+
+  static PointLight from(Parameters& parameters);
+  [[nodiscard]] LightSample sample(double u1, double u2) const;
+};
+
+/// A shape all of which emits the same.
+struct ShapeLight {
+  std::string name;
+  Shape shape;
+  Rgb emitted;        ///< radiance
+  double area = 0.0;  ///< of the shape
+
+  ShapeLight(std::string name, Shape shape, Rgb emitted);
+  [[nodiscard]] LightSample sample(double u1, double u2) const;
+};
+
+/// Which sides of a light's triangles shine.
+enum class Shining { both_sides, back_only };
+
+/// Triangles that emit, each its own radiance: of a mesh, or the back of a portal. A triangle is
+/// chosen with a probability in proportion to its power.
+class TriangleLight {
+ public:
+  struct Triangle {
+    Vec3d a, b, c;
+    Rgb emitted;  ///< radiance, not 0
+  };
+  TriangleLight(std::string name, std::vector<Triangle> triangles, Shining shining);
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] double area() const { return area_; }
+  [[nodiscard]] Shining shining() const { return shining_; }
+  [[nodiscard]] LightSample sample(double u1, double u2) const;
+
+ private:
+  std::string name_;
+  std::vector<Triangle> triangles_;
+  std::vector<double> cumulative_;  ///< power up to and with each triangle
+  double area_ = 0.0;
+  Shining shining_ = Shining::both_sides;
+};
+
+using Light = std::variant<PointLight, ShapeLight, TriangleLight>;
+
+[[nodiscard]] const std::string& name_of(const Light& light);
+[[nodiscard]] LightSample sample_light(const Light& light, double u1, double u2);
+/// How many samples of it a surface takes: a point needs only one.
+[[nodiscard]] std::uint32_t sample_count(const Light& light, std::uint32_t shadow_samples);
+/// Irradiance of a surface at `x` with normal `n`, from this sample and with nothing in the way.
+[[nodiscard]] Rgb irradiance(const Light& light, const LightSample& sample, Vec3d x, Vec3d n);
+
+}  // namespace portalens

@@ -1,0 +1,28 @@
+/// \file
+/// Shadow queries: whether a light's point is seen from a surface's. physics.md, sec. 7.
+#pragma once
+
+#include <cstdint>
+
+#include "photon/photon.h"
+#include "photon/space.h"
+
+namespace portalens {
+
+inline constexpr std::uint32_t no_portal = 0xffffffffu;
+
+/// Light that reaches the film if nothing is in its straight way.
+struct ShadowQuery {
+  Vec3d from;                          ///< the point that is lit
+  Vec3d to;                            ///< the light's point; through a portal, its image
+  std::uint32_t portal = no_portal;    ///< the portal whose front it comes through
+  Departure departure;                 ///< the surface that is lit
+  Rgb contribution;                    ///< to the film, if the way is free
+  std::uint32_t sample = 0, slot = 0;  ///< of the photon that asks
+};
+
+/// Whether the way is free: of surfaces, portals' fronts, material backs and horizons. Through a
+/// portal: both halves are, and the first portal on the way is that one.
+[[nodiscard]] bool visible(const Space& space, const ShadowQuery& query);
+
+}  // namespace portalens

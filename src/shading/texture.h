@@ -1,0 +1,55 @@
+/// \file
+/// What colour a surface has where: one colour, a checker, or an image.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <variant>
+
+#include "core/image.h"
+#include "core/parameters.h"
+#include "geometry/ray.h"
+
+namespace portalens {
+
+/// The image that a scene names, or null after a fault (which the loader has added).
+using ImageLoader =
+    std::function<std::shared_ptr<const Image>(const std::string& name, const Location& asked_at)>;
+
+struct Constant {
+  Rgb color{0.5, 0.5, 0.5};
+  [[nodiscard]] Rgb at(const SurfacePoint&) const { return color; }
+};
+
+/// Flat faces: squares of `size` along the first edge and across it, counted from the first vertex.
+/// Curved ones: by u/size and v/size.
+struct Checker {
+  Rgb first, second;
+  double size = 1.0;
+  [[nodiscard]] Rgb at(const SurfacePoint& point) const;
+};
+
+/// Bilinear, repeated in both directions; v = 0 is the bottom row.
+struct Picture {
+  std::shared_ptr<const Image> image;
+  [[nodiscard]] Rgb at(const SurfacePoint& point) const;
+};
+
+using Texture = std::variant<Constant, Checker, Picture>;
+
+[[nodiscard]] Rgb color_at(const Texture& texture, const SurfacePoint& point);
+
+/// The largest value of each channel anywhere on the texture.
+[[nodiscard]] Rgb brightest(const Texture& texture);
+
+/// What `key` says: `[r, g, b]`, `{ checker = [[r,g,b], [r,g,b]], size = s }` or an image's file.
+[[nodiscard]] Texture texture_from(Parameters& parameters, std::string_view key,
+                                   const Texture& fallback, const ImageLoader& load);
+
+/// The image at column `x` and row `y`, both continuous: pixel centres lie at halves. Columns
+/// repeat; rows repeat too, or stop at the edge.
+enum class Rows { repeat, clamp };
+[[nodiscard]] Rgb bilinear(const Image& image, double x, double y, Rows rows);
+
+}  // namespace portalens
