@@ -2,21 +2,30 @@
 /// Everything that decides where light goes: surfaces, portals, masses, and the physics.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "geometry/accelerator.h"
+#include "gravity/coupling.h"
 #include "gravity/mass.h"
 #include "photon/physics.h"
 #include "portal/portal_set.h"
 
 namespace portalens {
 
+/// Immutable once made; safe from any thread.
 struct Space {
+  Space(Physics physics, std::uint32_t max_crossings, std::vector<Shape> shapes,
+        std::vector<Portal> portals, std::vector<Mass> masses);
+
   Physics physics;
-  std::uint32_t max_crossings = 16;
-  Accelerator surfaces{std::vector<Shape>{}};
+  std::uint32_t max_crossings;
+  Accelerator surfaces;
   PortalSet portals;
   std::vector<Mass> masses;
+  Coupling coupling;
+  double extent = 1.0;     ///< a length of the scene's size: surfaces, portals, finite influences
+  bool unbounded = false;  ///< some influence is infinite
 };
 
 }  // namespace portalens

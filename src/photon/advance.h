@@ -1,0 +1,438 @@
+/// \file
+/// The way of one photon, from its start to its fate: physics.md, sec. 1 and 6.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "gravity/field.h"
+#include "photon/curve.h"
+#include "photon/engine.h"
+#include "photon/obstacles.h"
+#include "photon/step.h"
+
+namespace portalens {
+
+/// Advances photons one after the other in double: the oracle that every other engine is held
+/// against. Borrows the space; the scratch it keeps makes it one thread's own.
+template <class I, class C>
+class Tracer {
+ public:
+  Tracer(const Space& space, const I& integrator, const C& coupling)
+      : space_(space),
+        integrator_(integrator),
+        field_(space.masses, coupling, space.physics.c),
+        obstacles_(space.surfaces, space.portals) {}
+
+  [[nodiscard]] Arrival advance(const Photon& photon, Journey* journey) {
+    state_ = {photon.position, photon.direction};
+    start_ = {photon.departure, 0.0};
+    arrival_ = Arrival{};
+    crossings_ = 0;
+    free_length_ = 0.0;
+    restless_ = true;
+    journey_ = journey;
+    if (journey_) journey_->stretches.back().push_back(state_.position);
+    while (!one_step()) {
+    }
+    if (journey_) journey_->stretches.back().push_back(state_.position);
+    arrival_.position = state_.position;
+    arrival_.direction = state_.direction;
+    arrival_.crossings = crossings_;
+    return arrival_;
+  }
+
+ private:
+  enum class Boundary : std::uint8_t { inside, crossed };
+
+  /// Whether the photon has arrived.
+  [[nodiscard]] bool one_step() {
+    const Physics& physics = space_.physics;
+    if (!is_finite(state_.position) || !is_finite(state_.direction)) return end(Fate::lost);
+    if (const auto mass = horizon_around(state_.position)) return absorb(*mass);
+    if (arrival_.turning > physics.max_turning) return end(Fate::trapped);
+    if (arrival_.steps >= physics.max_steps || arrival_.length > physics.max_length)
+      return end(Fate::lost);
+    ++arrival_.steps;
+
+    if (restless_) {
+      field_.surround(ahead(), surroundings_);
+      if (surroundings_.silent()) return fly();
+      bending_ = field_.bending(state_.position, surroundings_);
+      restless_ = false;
+    }
+    if (far_from_all()) return true;
+    return step();
+  }
+
+  /// A point slightly ahead: what acts there decides what acts over the step.
+  [[nodiscard]] Vec3d ahead() const {
+    return state_.position + state_.direction * (1e-9 * space_.extent);
+  }
+
+  /// Straight flight, outside all influence.
+  bool fly() {
+    const Ray ray{state_.position, state_.direction};
+    const double resolution = 1e-7 * space_.extent;
+    const double reach =
+        field_.free_flight(ray, resolution, 1e3 * space_.extent + length(ray.origin));
+    std::optional<Encounter> met = obstacles_.first(ray, reach, start_);
+    double distance = met ? met->distance : reach;
+    std::optional<std::uint32_t> swallowed;
+    for (std::uint32_t i = 0; i < space_.masses.size(); ++i) {
+      const Mass& mass = space_.masses[i];
+      if (!mass.horizon || mass.schwarzschild == 0.0) continue;
+      const double at = field_.entry(mass.center, mass.schwarzschild, ray);
+      if (at <= distance && std::isfinite(at)) distance = at, swallowed = i;
+    }
+    if (std::isinf(distance)) return end(Fate::escaped);
+    move_on({ray.at(distance), ray.direction}, distance, 0.0);
+    if (swallowed) return absorb(*swallowed);
+    if (met) return encounter(*met);
+    if (distance <= resolution) {  // at the edge of a coupling that is not yet felt
+      move_on({ray.at(2 * resolution), ray.direction}, 2 * resolution, 0.0);
+    }
+    return false;
+  }
+
+  /// One step of the integrator, cut where something happens.
+  bool step() {
+    double h = proposed_length();
+    Curve curve = try_step(h);
+    if constexpr (!I::fixed_step) {
+      const double cut = first_change(curve);
+      if (cut < h) {
+        h = cut;
+        curve = try_step(h);
+      }
+    }
+    const auto swallowed = horizon_on(curve);
+    const double limit = swallowed ? swallowed->distance : std::numeric_limits<double>::infinity();
+    const auto met = obstacle_on(curve);
+    if (swallowed && (!met || limit <= met->distance)) {
+      arrive_at(curve, limit);
+      return absorb(swallowed->mass);
+    }
+    if (met) {
+      arrive_at(curve, met->distance);
+      return encounter(*met);
+    }
+    move_on(end_, h, curve.turning(h));
+    bending_ = end_bending_;
+    if constexpr (!I::fixed_step) {
+      restless_ = changed_;
+    } else {
+      restless_ = true;
+    }
+    return false;
+  }
+
+  [[nodiscard]] double proposed_length() const {
+    double h;
+    if constexpr (I::fixed_step) {
+      h = integrator_.length;
+    } else {
+      h = integrator_.propose(bending_.stiffness, bending_.nearness);
+      h = std::fmin(h, straight_exit());
+    }
+    return std::fmin(std::fmax(h, 1e-9 * space_.extent),
+                     2.0 * space_.extent + space_.physics.max_length);
+  }
+
+  /// The distance to the nearest boundary of an influence, along the parabola of the path.
+  [[nodiscard]] double straight_exit() const {
+    double least = std::numeric_limits<double>::infinity();
+    const Ray ray{state_.position, state_.direction};
+    for (const Mass& mass : field_.masses()) {
+      if (std::isinf(mass.influence)) continue;
+      double at = Field<C>::entry(mass.center, mass.influence, ray);
+      if (at == 0.0) at = exit(mass, ray);
+      least = std::fmin(least, at);
+    }
+    return least + margin();
+  }
+
+  [[nodiscard]] double exit(const Mass& mass, const Ray& ray) const {
+    const Vec3d from = ray.origin - mass.center;
+    const double along = dot(from, ray.direction);
+    const double r2 = mass.influence * mass.influence;
+    const double inside = r2 - dot(from, from);
+    double s = std::sqrt(along * along + inside) - along;
+    if (inside <= 0.0) return std::fmax(0.0, -2.0 * along);
+    // One step of Newton's method on |x + t s + a s²/2 - p|² = R².
+    const Vec3d bend = turning_part(bending_.acceleration, ray.direction);
+    const Vec3d at = from + ray.direction * s + bend * (0.5 * s * s);
+    const double slope = 2.0 * dot(at, ray.direction + bend * s);
+    if (slope > 0.0) s -= (dot(at, at) - r2) / slope;
+    return std::fmax(s, 0.0);
+  }
+
+  /// Boundaries are found to within this length: what a misplaced jump of the field can turn is a
+  /// small share of the tolerance.
+  [[nodiscard]] double margin() const {
+    const double bend = length(bending_.acceleration);
+    const double share = 0.02 * space_.physics.tolerance;
+    return std::fmax(
+        1e-11 * space_.extent,
+        std::fmin(bend > 0.0 ? share / bend : share * space_.extent, share * space_.extent));
+  }
+
+  [[nodiscard]] Curve try_step(double h) {
+    const auto acceleration = [this](Vec3d x) {
+      return field_.bending(x, surroundings_).acceleration;
+    };
+    const StepResult result = I::step(acceleration, state_, bending_.acceleration, h);
+    end_ = result.end;
+    if constexpr (I::straight_pieces) {
+      const double turned = angle(state_.direction, end_.direction);
+      extra_turning_ = turned;
+      return Curve(state_.position, end_.direction, h);
+    } else {
+      end_bending_ = field_.bending(end_.position, surroundings_);
+      return Curve(state_.position, state_.direction,
+                   turning_part(bending_.acceleration, state_.direction), end_.position,
+                   end_.direction, turning_part(end_bending_.acceleration, end_.direction),
+                   result.middle_bend, h);
+    }
+  }
+
+  [[nodiscard]] static double angle(Vec3d a, Vec3d b) {
+    return std::atan2(length(cross(a, b)), dot(a, b));
+  }
+
+  /// Arc length just past the first place where the surroundings change, or the curve's length.
+  [[nodiscard]] double first_change(const Curve& curve) {
+    const double h = curve.length();
+    const double tolerance = margin();
+    double good = 0.0, bad = h;
+    changed_ = false;
+    for (const double share : {0.25, 0.5, 0.75, 1.0}) {
+      if (differs(curve.position(share * h))) {
+        bad = share * h;
+        changed_ = true;
+        break;
+      }
+      good = share * h;
+    }
+    if (!changed_) {
+      const double grazed = grazed_influence(curve);
+      if (grazed >= h) return h;
+      changed_ = true;
+      good = 0.0, bad = grazed;
+    }
+    while (bad - good > tolerance) {
+      const double middle = 0.5 * (good + bad);
+      if (middle <= good || middle >= bad) break;
+      (differs(curve.position(middle)) ? bad : good) = middle;
+    }
+    return bad;
+  }
+
+  [[nodiscard]] bool differs(Vec3d x) const {
+    std::size_t next = 0;
+    const auto masses = field_.masses();
+    for (std::uint32_t i = 0; i < masses.size(); ++i) {
+      const bool was = next < surroundings_.inside.size() && surroundings_.inside[next] == i;
+      if (was) ++next;
+      if (was != Field<C>::within(masses[i], x)) return true;
+    }
+    return (std::isfinite(surroundings_.quiet)) && field_.signature(x) != surroundings_.signature;
+  }
+
+  /// Arc length in the middle of an influence that the curve only grazes, or its length.
+  [[nodiscard]] double grazed_influence(const Curve& curve) const {
+    const double h = curve.length();
+    double first = h;
+    const Vec3d a = curve.position(0.0), b = curve.position(h);
+    const Vec3d along = b - a;
+    const double length2 = dot(along, along);
+    for (const Mass& mass : field_.masses()) {
+      if (std::isinf(mass.influence)) continue;
+      const double share = dot(mass.center - a, along) / length2;
+      if (share <= 0.0 || share >= 1.0) continue;
+      const double s = share * h;
+      if (s < first && !Field<C>::within(mass, a) && Field<C>::within(mass, curve.position(s)))
+        first = s;
+    }
+    return first;
+  }
+
+  struct Swallowed {
+    std::uint32_t mass;
+    double distance;
+  };
+
+  [[nodiscard]] std::optional<std::uint32_t> horizon_around(Vec3d x) const {
+    for (std::uint32_t i = 0; i < space_.masses.size(); ++i) {
+      const Mass& mass = space_.masses[i];
+      const Vec3d d = mass.center - x;
+      if (mass.horizon && mass.gm > 0.0 && dot(d, d) <= mass.schwarzschild * mass.schwarzschild)
+        return i;
+    }
+    return std::nullopt;
+  }
+
+  /// The first horizon that the curve meets: found at its end, or at its closest approach.
+  [[nodiscard]] std::optional<Swallowed> horizon_on(const Curve& curve) const {
+    std::optional<Swallowed> first;
+    const double h = curve.length();
+    for (std::uint32_t i = 0; i < space_.masses.size(); ++i) {
+      const Mass& mass = space_.masses[i];
+      if (!mass.horizon || mass.gm == 0.0) continue;
+      const double r2 = mass.schwarzschild * mass.schwarzschild;
+      const auto outside = [&](double s) {
+        const Vec3d d = curve.position(s) - mass.center;
+        return dot(d, d) - r2;
+      };
+      const auto approach = [&](double s) {
+        return dot(curve.position(s) - mass.center, curve.direction(s));
+      };
+      double closest = h;
+      if (approach(0.0) >= 0.0) continue;
+      if (outside(h) > 0.0) {
+        if (approach(h) <= 0.0) continue;
+        closest = bisect(0.0, h, [&](double s) { return approach(s) < 0.0; });
+        if (outside(closest) > 0.0) continue;
+      }
+      const double at = bisect(0.0, closest, [&](double s) { return outside(s) > 0.0; });
+      if (!first || at < first->distance) first = Swallowed{i, at};
+    }
+    return first;
+  }
+
+  /// The end of the stretch from `low` on which `holds`, to the last digits.
+  template <class Predicate>
+  [[nodiscard]] static double bisect(double low, double high, Predicate holds) {
+    for (int i = 0; i < 60; ++i) {
+      const double middle = 0.5 * (low + high);
+      if (middle <= low || middle >= high) break;
+      (holds(middle) ? low : high) = middle;
+    }
+    return high;
+  }
+
+  [[nodiscard]] std::optional<Encounter> obstacle_on(const Curve& curve) {
+    const double h = curve.length();
+    if (free_length_ < h) {
+      free_length_ = obstacles_.clearance(state_.position, 8.0 * h);
+    }
+    if (free_length_ >= h) {
+      free_length_ -= h;
+      return std::nullopt;
+    }
+    const double flatness = 0.1 * space_.physics.tolerance * (arrival_.length + h);
+    free_length_ = 0.0;
+    return obstacles_.first(curve, flatness, start_);
+  }
+
+  /// Outside everything but infinite influences, on a straight way that meets nothing, with less
+  /// turning to come than the tolerance: what is to come is added, and the photon has escaped.
+  [[nodiscard]] bool far_from_all() {
+    if (!space_.unbounded || surroundings_.quiet == 0.0) return false;
+    double turning = 0.0;
+    Vec3d kick;
+    for (std::uint32_t i : surroundings_.inside) {
+      const Mass& mass = space_.masses[i];
+      if (!std::isinf(mass.influence)) return false;
+      const Vec3d to_mass = mass.center - state_.position;
+      const double d = length(to_mass);
+      const double outward = -dot(to_mass, state_.direction) / d;
+      if (outward < 0.9) return false;
+      const Vec3d across = turning_part(to_mass, state_.direction);
+      const double b = length(across);
+      if (b == 0.0) continue;
+      // ∫ m b / (b² + s²)^(3/2) ds from here to infinity on the straight way = (m/b) (1 - outward).
+      const double m = mass.gm * field_.inverse_c2();
+      const double rest = m / d * (b / d) / (1.0 + outward);
+      turning += rest;
+      kick += across * (rest / b);
+    }
+    if (turning > 0.02 * space_.physics.tolerance) return false;
+    const Ray ray{state_.position, state_.direction};
+    const double reach = field_.free_flight(ray, 1e-7 * space_.extent, 1e3 * space_.extent);
+    if (reach > 0.0 && std::isfinite(reach)) return false;
+    if (obstacles_.first(ray, std::numeric_limits<double>::infinity(), start_)) return false;
+    state_.direction = normalize(state_.direction + kick);
+    arrival_.turning += turning;
+    return end(Fate::escaped);
+  }
+
+  /// Goes on to the end of a step.
+  void move_on(State to, double distance, double turned) {
+    state_ = to;
+    arrival_.length += distance;
+    arrival_.turning += turned + extra_turning_;
+    extra_turning_ = 0.0;
+    start_.departure.reach -= distance;
+    if (start_.departure.reach <= 0.0) start_.departure = Departure{};
+    start_.skip_surfaces = std::fmax(0.0, start_.skip_surfaces - distance);
+    restless_ = true;
+    if (journey_) journey_->stretches.back().push_back(state_.position);
+  }
+
+  void arrive_at(const Curve& curve, double s) {
+    move_on({curve.position(s), curve.direction(s)}, s, curve.turning(s));
+  }
+
+  bool end(Fate fate) {
+    arrival_.fate = fate;
+    return true;
+  }
+
+  bool absorb(std::uint32_t mass) {
+    arrival_.met = Met::mass;
+    arrival_.object = mass;
+    return end(Fate::absorbed);
+  }
+
+  bool encounter(const Encounter& met) {
+    arrival_.object = met.object;
+    arrival_.face = met.face;
+    switch (met.kind) {
+      case Encounter::Kind::surface:
+        arrival_.met = Met::surface;
+        return end(Fate::hit);
+      case Encounter::Kind::portal_back:
+        arrival_.met = Met::portal_back;
+        return end(Fate::hit);
+      case Encounter::Kind::portal_front:
+        break;
+    }
+    if (crossings_ >= space_.max_crossings) return end(Fate::lost);
+    ++crossings_;
+    const Portal& portal = space_.portals.portals()[met.object];
+    arrival_.tint = arrival_.tint * portal.tint;
+    state_ = {portal.through.move(state_.position), portal.through.rotate(state_.direction)};
+    const Portal& other = space_.portals.portals()[portal.pair];
+    start_ = {Departure{}, other.height_tolerance()};
+    free_length_ = 0.0;
+    restless_ = true;
+    arrival_.object = no_object;
+    if (journey_) {
+      journey_->crossings.push_back(met.object);
+      journey_->stretches.push_back({state_.position});
+    }
+    return false;
+  }
+
+  const Space& space_;
+  const I& integrator_;
+  Field<C> field_;
+  Obstacles obstacles_;
+
+  State state_, end_;
+  PathStart start_;
+  Arrival arrival_;
+  Surroundings surroundings_;
+  Bending bending_, end_bending_;
+  std::uint32_t crossings_ = 0;
+  double free_length_ = 0.0;    ///< nothing lies within this much path from here
+  double extra_turning_ = 0.0;  ///< of a step with straight pieces: it turns at its start
+  bool restless_ = true;        ///< the surroundings have to be looked at again
+  bool changed_ = false;        ///< the step ends where they change
+  Journey* journey_ = nullptr;
+};
+
+}  // namespace portalens

@@ -1,0 +1,38 @@
+#include "photon/engine.h"
+
+#include <cassert>
+
+#include "photon/advance.h"
+#include "photon/integrator.h"
+
+namespace portalens {
+namespace {
+
+Integrator integrator_of(const Physics& physics) {
+  const auto made = Integrators::make(physics.integrator, {physics.step, physics.tolerance});
+  assert(made);
+  return *made;
+}
+
+}  // namespace
+
+void advance(const Space& space, std::span<const Photon> photons, std::span<Arrival> arrivals) {
+  assert(photons.size() == arrivals.size());
+  std::visit(
+      [&](const auto& integrator, const auto& coupling) {
+        Tracer tracer(space, integrator, coupling);
+        for (std::size_t i = 0; i < photons.size(); ++i)
+          arrivals[i] = tracer.advance(photons[i], nullptr);
+      },
+      integrator_of(space.physics), space.coupling);
+}
+
+Arrival advance_recorded(const Space& space, const Photon& photon, Journey& journey) {
+  return std::visit(
+      [&](const auto& integrator, const auto& coupling) {
+        return Tracer(space, integrator, coupling).advance(photon, &journey);
+      },
+      integrator_of(space.physics), space.coupling);
+}
+
+}  // namespace portalens

@@ -1,0 +1,63 @@
+/// \file
+/// The first surface or portal that a curve meets.
+#pragma once
+
+#include <optional>
+
+#include "geometry/accelerator.h"
+#include "photon/curve.h"
+#include "portal/portal_set.h"
+
+namespace portalens {
+
+/// What a path meets, and where on the curve.
+struct Encounter {
+  enum class Kind : std::uint8_t { surface, portal_front, portal_back };
+  double distance = 0.0;  ///< arc length on the curve
+  Kind kind = Kind::surface;
+  std::uint32_t object = no_object;
+  std::uint32_t face = 0;
+};
+
+/// Where a path began, and what it may not meet at once.
+struct PathStart {
+  Departure departure;         ///< `reach` counted from the start of the curve
+  double skip_surfaces = 0.0;  ///< surfaces nearer than this are part of the portal just left
+};
+
+/// Surfaces and portals of a scene, asked along curves. Borrows both.
+class Obstacles {
+ public:
+  Obstacles(const Accelerator& surfaces, const PortalSet& portals)
+      : surfaces_(surfaces), portals_(portals) {}
+
+  /// The first encounter at 0 <= s <= length. Pieces of the curve whose chord passes within their
+  /// sagitta of something are halved until the sagitta is below `flatness`; the hit is then refined
+  /// on the curve itself.
+  [[nodiscard]] std::optional<Encounter> first(const Curve& curve, double flatness,
+                                               const PathStart& start) const;
+
+  /// The first encounter on a straight way; `high` may be infinite.
+  [[nodiscard]] std::optional<Encounter> first(const Ray& ray, double high,
+                                               const PathStart& start) const;
+
+  /// A lower bound of the distance to anything, at most `limit`.
+  [[nodiscard]] double clearance(Vec3d x, double limit) const {
+    return portals_.clearance(x, surfaces_.clearance(x, limit));
+  }
+
+ private:
+  struct Piece {
+    double s0, s1;
+    Vec3d x0, x1;
+  };
+  [[nodiscard]] std::optional<Encounter> in_piece(const Curve& curve, const Piece& piece,
+                                                  double flatness, const PathStart& start) const;
+  [[nodiscard]] std::optional<Encounter> refine(const Curve& curve, const Piece& piece,
+                                                Encounter found) const;
+
+  const Accelerator& surfaces_;
+  const PortalSet& portals_;
+};
+
+}  // namespace portalens
