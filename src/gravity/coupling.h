@@ -16,44 +16,24 @@
 /// and is immutable.
 #pragma once
 
-#include <cstdint>
-#include <limits>
-#include <span>
+#include <optional>
+#include <string_view>
 #include <variant>
+#include <vector>
 
-#include "gravity/mass.h"
-#include "portal/portal.h"
+#include "gravity/closest_point_coupling.h"
+#include "gravity/coupling_input.h"
+#include "gravity/no_coupling.h"
 
 namespace portalens {
 
-struct CouplingInput {
-  std::span<const Portal> portals;
-  std::span<const Mass> masses;  ///< massive portals among them
-  double min_force = 0.01;
-  int depth = 1;
-  int graviton_resolution = 32;
-};
+using Coupling = std::variant<NoCoupling, ClosestPointCoupling>;
 
-/// An acceleration, and how sharply it varies, from which the step is chosen: the sums over its
-/// sources of G M / d⁵ and of 1 / d⁴ (d with the core; any other length over which the field varies
-/// counts as a d).
-struct Pull {
-  Vec3d acceleration;
-  double stiffness = 0.0;
-  double nearness = 0.0;
-};
+/// The names of all couplings, in the order of the list.
+[[nodiscard]] std::vector<std::string_view> coupling_names();
 
-/// Gravity ignores portals.
-class NoCoupling {
- public:
-  static constexpr std::string_view name = "none";
-  NoCoupling() = default;
-  explicit NoCoupling(const CouplingInput&) {}
-  [[nodiscard]] Pull pull(Vec3d, Vec3d) const { return {}; }
-  [[nodiscard]] std::uint64_t signature(Vec3d) const { return 0; }
-  [[nodiscard]] double quiet(Vec3d) const { return std::numeric_limits<double>::infinity(); }
-};
-
-using Coupling = std::variant<NoCoupling>;
+/// The coupling with that name.
+/// @pre `name` is one of `coupling_names()`
+[[nodiscard]] Coupling make_coupling(std::string_view name, const CouplingInput& input);
 
 }  // namespace portalens

@@ -1,0 +1,22 @@
+/// \file
+/// Gravity ignores portals: `portal_gravity = "none"`.
+#pragma once
+
+#include <limits>
+#include <string_view>
+
+#include "gravity/coupling_input.h"
+
+namespace portalens {
+
+class NoCoupling {
+ public:
+  static constexpr std::string_view name = "none";
+  NoCoupling() = default;
+  explicit NoCoupling(const CouplingInput&) {}
+  [[nodiscard]] Pull pull(Vec3d, Vec3d) const { return {}; }
+  [[nodiscard]] std::uint64_t signature(Vec3d) const { return 0; }
+  [[nodiscard]] double quiet(Vec3d) const { return std::numeric_limits<double>::infinity(); }
+};
+
+}  // namespace portalens
