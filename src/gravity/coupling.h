@@ -16,7 +16,6 @@
 /// and is immutable.
 #pragma once
 
-#include <optional>
 #include <string_view>
 #include <variant>
 #include <vector>
