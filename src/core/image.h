@@ -15,11 +15,11 @@ struct Image {
   std::vector<float> pixels;
 
   Image() = default;
-  Image(int width, int height, int channels)
-      : width(width),
-        height(height),
-        channels(channels),
-        pixels(static_cast<std::size_t>(width) * height * channels) {}
+  Image(int its_width, int its_height, int its_channels)
+      : width(its_width),
+        height(its_height),
+        channels(its_channels),
+        pixels(static_cast<std::size_t>(its_width) * its_height * its_channels) {}
 
   [[nodiscard]] float* at(int x, int y) {
     return pixels.data() + (static_cast<std::size_t>(y) * width + x) * channels;

@@ -14,13 +14,17 @@
 
 namespace portalens {
 
+/// Which sides of a light shine; `everywhere` is a point's.
+enum class Shining { everywhere, both_sides, back_only };
+
 /// One point of a light, as a surface that it shines on sees it.
 /// Irradiance of a surface at distance d under the angle θ, before anything is in the way:
 /// `power · cos θ / d²`, for a light with a surface times |cos| of the angle at the light.
 struct LightSample {
   Vec3d position;
-  Vec3d normal;  ///< unit; 0 for a point light
+  Vec3d normal;  ///< unit; of no meaning for a point light
   Rgb power;     ///< W/sr: intensity of a point; radiance over probability per area of a surface
+  Shining shining = Shining::everywhere;
 };
 
 /// A `[[light]]`.
@@ -43,9 +47,6 @@ struct ShapeLight {
   ShapeLight(std::string name, Shape shape, Rgb emitted);
   [[nodiscard]] LightSample sample(double u1, double u2) const;
 };
-
-/// Which sides of a light's triangles shine.
-enum class Shining { both_sides, back_only };
 
 /// Triangles that emit, each its own radiance: of a mesh, or the back of a portal. A triangle is
 /// chosen with a probability in proportion to its power.
@@ -75,7 +76,7 @@ using Light = std::variant<PointLight, ShapeLight, TriangleLight>;
 [[nodiscard]] LightSample sample_light(const Light& light, double u1, double u2);
 /// How many samples of it a surface takes: a point needs only one.
 [[nodiscard]] std::uint32_t sample_count(const Light& light, std::uint32_t shadow_samples);
-/// Irradiance of a surface at `x` with normal `n`, from this sample and with nothing in the way.
-[[nodiscard]] Rgb irradiance(const Light& light, const LightSample& sample, Vec3d x, Vec3d n);
+/// Irradiance of a surface at `x` with unit normal `n`, from this sample, nothing being in the way.
+[[nodiscard]] Rgb irradiance(const LightSample& sample, Vec3d x, Vec3d n);
 
 }  // namespace portalens

@@ -1,0 +1,165 @@
+#include "shading/shade.h"
+
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+#include "math/random.h"
+#include "shading/reflection.h"
+#include "shading/shading_point.h"
+
+namespace portalens {
+namespace {
+
+/// What a photon's random key is combined with, so that no number is used twice. Small numbers are
+/// left to whoever makes the photon.
+constexpr std::uint64_t mirror_purpose = std::uint64_t{1} << 32;
+constexpr std::uint64_t offspring_purpose = std::uint64_t{2} << 32;
+constexpr std::uint64_t light_purpose = std::uint64_t{3} << 32;  // + index of the light
+
+/// The cells of a grid over the unit square, as square as their number allows.
+struct Strata {
+  std::uint32_t columns = 1, rows = 1;
+
+  explicit Strata(std::uint32_t count) {
+    for (std::uint32_t i = 1; i * i <= count; ++i)
+      if (count % i == 0) rows = i;
+    columns = count / rows;
+  }
+};
+
+/// Shades one arrival.
+class Shader {
+ public:
+  Shader(const Space& space, const Appearance& appearance, const Photon& photon,
+         const Arrival& arrival, ShadeOutput& output)
+      : space_(space),
+        appearance_(appearance),
+        photon_(photon),
+        arrival_(arrival),
+        output_(output),
+        share_(photon.throughput * arrival.tint) {}
+
+  void run() {
+    switch (arrival_.fate) {
+      case Fate::hit:
+        return shade_surface();
+      case Fate::escaped:
+        return add_light(share_ * appearance_.environment.radiance(arrival_.direction));
+      case Fate::lost:
+        // Tints are left out, so that light lost between two dark portals still shows.
+        return add_light(photon_.throughput * appearance_.limits.lost_color);
+      case Fate::absorbed:
+      case Fate::trapped:
+        return;
+    }
+  }
+
+ private:
+  void add_light(Rgb radiance) {
+    if (is_finite(radiance) && radiance != Rgb{})
+      output_.light.push_back({radiance, photon_.sample, photon_.slot});
+  }
+
+  void shade_surface() {
+    const ShadingPoint point = shading_point(space_, appearance_, arrival_);
+    const Material& material = appearance_.materials[point.material];
+    const Rgb diffuse = color_at(material.diffuse, point.surface);
+    add_light(share_ * (material.emitted + diffuse * appearance_.limits.ambient));
+    if (share_ * diffuse != Rgb{}) ask_lights(point, share_ * diffuse / std::numbers::pi);
+    if (photon_.bounces < appearance_.limits.max_bounces) send_mirrored(point, material);
+  }
+
+  void send_mirrored(const ShadingPoint& point, const Material& material) {
+    const Rgb share = share_ * material.reflective;
+    if (share == Rgb{}) return;
+    const std::uint64_t key = combined(photon_.random_key, mirror_purpose);
+    const auto reflection = reflect(arrival_.direction, point.normal, material.roughness,
+                                    random_number(key, 0), random_number(key, 1));
+    if (!reflection || !is_finite(reflection->direction)) return;
+    Photon offspring;
+    offspring.position = point.position;
+    offspring.direction = reflection->direction;
+    offspring.throughput = share * reflection->weight;
+    offspring.sample = photon_.sample;
+    offspring.slot = photon_.slot;
+    offspring.bounces = photon_.bounces + 1;
+    offspring.random_key = combined(photon_.random_key, offspring_purpose);
+    offspring.departure = point.leaving(reflection->direction);
+    output_.offspring.push_back(offspring);
+  }
+
+  void ask_lights(const ShadingPoint& point, Rgb share) {
+    for (std::size_t i = 0; i < appearance_.lights.size(); ++i) {
+      const Light& light = appearance_.lights[i];
+      const std::uint32_t count = sample_count(light, appearance_.limits.shadow_samples);
+      const std::uint64_t key = combined(photon_.random_key, light_purpose + i);
+      const Strata strata(count);
+      for (std::uint32_t j = 0; j < count; ++j) {
+        const double u1 = (j % strata.columns + random_number(key, 2 * j)) / strata.columns;
+        const double u2 = (j / strata.columns + random_number(key, 2 * j + 1)) / strata.rows;
+        ask_light(point, sample_light(light, u1, u2), share / count);
+      }
+    }
+  }
+
+  void ask_light(const ShadingPoint& point, const LightSample& sample, Rgb share) {
+    ask(point, sample, share, no_portal);
+    const std::span<const Portal> portals = space_.portals.portals();
+    for (std::uint32_t i = 0; i < portals.size(); ++i) {
+      const Portal& portal = portals[i];
+      if (portal.frame.to_local(point.position).z < -portal.height_tolerance()) continue;
+      LightSample image = sample;
+      image.position = portal.through.move_back(sample.position);
+      image.normal = portal.through.rotate_back(sample.normal);
+      if (crosses(i, point.position, image.position)) ask(point, image, share * portal.tint, i);
+    }
+  }
+
+  /// Whether the straight way goes through the portal's face from front to back.
+  bool crosses(std::uint32_t portal, Vec3d from, Vec3d to) const {
+    if (!(dot(to - from, space_.portals.portals()[portal].frame.normal) < 0.0)) return false;
+    const double distance = length(to - from);
+    return space_.portals.contact_near(portal, {from, (to - from) / distance}, distance)
+        .has_value();
+  }
+
+  void ask(const ShadingPoint& point, const LightSample& sample, Rgb share, std::uint32_t portal) {
+    const Rgb light = share * irradiance(sample, point.position, point.normal);
+    if (!is_finite(light) || light == Rgb{}) return;
+    ShadowQuery query;
+    query.from = point.position;
+    query.to = sample.position;
+    query.portal = portal;
+    query.departure = point.leaving(sample.position - point.position);
+    query.contribution = light;
+    query.sample = photon_.sample;
+    query.slot = photon_.slot;
+    output_.shadows.push_back(query);
+  }
+
+  const Space& space_;
+  const Appearance& appearance_;
+  const Photon& photon_;
+  const Arrival& arrival_;
+  ShadeOutput& output_;
+  Rgb share_;  ///< of what is here that reaches the film
+};
+
+}  // namespace
+
+void shade(const Space& space, const Appearance& appearance, std::span<const Photon> photons,
+           std::span<const Arrival> arrivals, ShadeOutput& output) {
+  assert(photons.size() == arrivals.size());
+  for (std::size_t i = 0; i < photons.size(); ++i)
+    Shader(space, appearance, photons[i], arrivals[i], output).run();
+}
+
+std::size_t most_shadow_queries(const Space& space, const Appearance& appearance) {
+  std::size_t samples = 0;
+  for (const Light& light : appearance.lights)
+    samples += sample_count(light, appearance.limits.shadow_samples);
+  return samples * (1 + space.portals.portals().size());
+}
+
+}  // namespace portalens

@@ -1,0 +1,71 @@
+#include "shading/shading_point.h"
+
+#include <algorithm>
+
+namespace portalens {
+namespace {
+
+/// Rays from a portal's material back start this far behind its plane, relative to its longest
+/// edge: more than the tolerance within which a point still counts as in front.
+constexpr double behind_portal = 1e-7;
+
+/// Departures hold over this share of the place's and the scene's size.
+constexpr double departure_share = 1e-6;
+
+/// A portal's back is a flat face in the portal's own frame: lengths from its first vertex, and
+/// texture coordinates from 0 to 1 over its bounding rectangle.
+SurfacePoint on_back(const Portal& portal, Vec3d x) {
+  const Vec3d local = portal.frame.to_local(x);
+  const Vec3d first = portal.frame.to_local(portal.vertices[0]);
+  Vec3d low = first, high = first;
+  for (const Vec3d& vertex : portal.vertices) {
+    const Vec3d corner = portal.frame.to_local(vertex);
+    low = {std::min(low.x, corner.x), std::min(low.y, corner.y), 0.0};
+    high = {std::max(high.x, corner.x), std::max(high.y, corner.y), 0.0};
+  }
+  SurfacePoint point;
+  point.position = x;
+  point.normal = portal.frame.normal;
+  point.u = (local.x - low.x) / (high.x - low.x);
+  point.v = (local.y - low.y) / (high.y - low.y);
+  point.flat = true;
+  point.along = local.x - first.x;
+  point.across = local.y - first.y;
+  return point;
+}
+
+ShadingPoint point_on_back(const Portal& portal, const Arrival& arrival) {
+  ShadingPoint point;
+  point.surface = on_back(portal, arrival.position);
+  point.material = *portal.back_material;
+  point.normal = -portal.frame.normal;
+  const double height = dot(arrival.position - portal.frame.origin, portal.frame.normal);
+  point.position =
+      arrival.position - portal.frame.normal * (height + behind_portal * portal.longest_edge);
+  return point;
+}
+
+}  // namespace
+
+Departure ShadingPoint::leaving(Vec3d direction) const {
+  if (shape == no_object) return {};
+  return {shape, face, dot(direction, surface.normal) < 0.0 ? -1.0 : 1.0, reach};
+}
+
+ShadingPoint shading_point(const Space& space, const Appearance& appearance,
+                           const Arrival& arrival) {
+  if (arrival.met == Met::portal_back)
+    return point_on_back(space.portals.portals()[arrival.object], arrival);
+  ShadingPoint point;
+  point.surface = space.surfaces.surface_at(arrival.object, arrival.face, arrival.position);
+  point.position = arrival.position;
+  const bool behind = dot(arrival.direction, point.surface.normal) > 0.0;
+  point.normal = behind ? -point.surface.normal : point.surface.normal;
+  point.material = appearance.bodies[arrival.object].material_of(arrival.face);
+  point.shape = arrival.object;
+  point.face = arrival.face;
+  point.reach = departure_share * (length(arrival.position) + space.surfaces.bounds().diagonal());
+  return point;
+}
+
+}  // namespace portalens

@@ -1,0 +1,132 @@
+#include "shading/texture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace portalens {
+namespace {
+
+/// Whether a + b is even, for whole numbers of any size.
+bool even_sum(double a, double b) {
+  return (std::fmod(a, 2.0) == 0.0) == (std::fmod(b, 2.0) == 0.0);
+}
+
+/// The remainder of the floored division, in [0, period).
+double wrapped(double x, double period) {
+  const double rest = x - std::floor(x / period) * period;
+  return rest >= 0.0 && rest < period ? rest : 0.0;
+}
+
+Rgb pixel(const Image& image, int x, int y) {
+  const float* p = image.at(x, y);
+  return {p[0], p[1], p[2]};
+}
+
+Rgb mixed_colors(Rgb a, Rgb b, double share) { return a * (1.0 - share) + b * share; }
+
+/// The two whole neighbours of a continuous coordinate, and the share of the second.
+struct Neighbours {
+  int first = 0, second = 0;
+  double share = 0.0;
+};
+
+Neighbours repeated(double x, int count) {
+  const double low = std::floor(x - 0.5);
+  const int first = static_cast<int>(wrapped(low, count));
+  return {first, (first + 1) % count, (x - 0.5) - low};
+}
+
+Neighbours clamped(double x, int count) {
+  const double place = std::clamp(x - 0.5, 0.0, count - 1.0);
+  const int first = static_cast<int>(place);
+  return {first, std::min(first + 1, count - 1), place - first};
+}
+
+Checker checker_from(Parameters& outer, std::string_view key, const Value::Dictionary& entries) {
+  const Table table{outer.kind() + "'s " + std::string(key), outer.where(key), entries};
+  Parameters parameters(table, outer.faults());
+  const std::vector<Triple> colors = parameters.points("checker", 2, 2);
+  Checker checker;
+  checker.size = parameters.number("size", positive, 1.0);
+  if (colors.size() == 2) {
+    checker.first = to_vec3(colors[0]);
+    checker.second = to_vec3(colors[1]);
+    const double lowest = std::min(
+        {colors[0][0], colors[0][1], colors[0][2], colors[1][0], colors[1][1], colors[1][2]});
+    if (lowest < 0.0)
+      parameters.fault("checker", "a colour is negative", "give numbers of at least 0");
+  }
+  parameters.finish();
+  return checker;
+}
+
+}  // namespace
+
+Rgb bilinear(const Image& image, double x, double y, Rows rows) {
+  const Neighbours column = repeated(x, image.width);
+  const Neighbours row =
+      rows == Rows::repeat ? repeated(y, image.height) : clamped(y, image.height);
+  const Rgb top = mixed_colors(pixel(image, column.first, row.first),
+                               pixel(image, column.second, row.first), column.share);
+  const Rgb bottom = mixed_colors(pixel(image, column.first, row.second),
+                                  pixel(image, column.second, row.second), column.share);
+  return mixed_colors(top, bottom, row.share);
+}
+
+Rgb Checker::at(const SurfacePoint& point) const {
+  const double a = std::floor((point.flat ? point.along : point.u) / size);
+  const double b = std::floor((point.flat ? point.across : point.v) / size);
+  return even_sum(a, b) ? first : second;
+}
+
+Rgb Picture::at(const SurfacePoint& point) const {
+  const double x = wrapped(point.u, 1.0) * image->width;
+  const double y = (1.0 - wrapped(point.v, 1.0)) * image->height;
+  return bilinear(*image, x, y, Rows::repeat);
+}
+
+Rgb color_at(const Texture& texture, const SurfacePoint& point) {
+  return std::visit([&](const auto& kind) { return kind.at(point); }, texture);
+}
+
+Rgb brightest(const Texture& texture) {
+  struct Brightest {
+    Rgb operator()(const Constant& t) const { return t.color; }
+    Rgb operator()(const Checker& t) const { return highest(t.first, t.second); }
+    Rgb operator()(const Picture& t) const {
+      Rgb most;
+      for (int y = 0; y < t.image->height; ++y) {
+        for (int x = 0; x < t.image->width; ++x) most = highest(most, pixel(*t.image, x, y));
+      }
+      return most;
+    }
+    static Rgb highest(Rgb a, Rgb b) {
+      return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
+    }
+  };
+  return std::visit(Brightest{}, texture);
+}
+
+Texture texture_from(Parameters& parameters, std::string_view key, const Texture& fallback,
+                     const ImageLoader& load) {
+  const Value* value = parameters.raw(key);
+  if (!value) return fallback;
+  if (std::holds_alternative<std::string>(value->data)) {
+    std::shared_ptr<const Image> image = load(parameters.text(key), value->where);
+    if (!image) return fallback;
+    return Picture{std::move(image)};
+  }
+  if (const auto* entries = std::get_if<Value::Dictionary>(&value->data)) {
+    return checker_from(parameters, key, *entries);
+  }
+  if (std::holds_alternative<Value::List>(value->data)) {
+    return Constant{to_vec3(parameters.triple(key, non_negative))};
+  }
+  parameters.fault(key, std::string(key) + " is neither a colour nor a texture",
+                   "give [r, g, b], an image's file name, or "
+                   "{ checker = [[r, g, b], [r, g, b]], size = 1.0 }");
+  return fallback;
+}
+
+}  // namespace portalens

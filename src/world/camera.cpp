@@ -1,0 +1,122 @@
+#include "world/camera.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+namespace portalens {
+namespace {
+
+constexpr std::array<std::string_view, 2> projections = {"perspective", "orthographic"};
+constexpr std::array<std::string_view, 4> axes = {"x", "y", "smaller", "larger"};
+
+/// Sines of angles below this are taken for 0: the camera has no steady `right`.
+constexpr double parallel = 1e-9;
+
+/// How much of the view a scene without a camera leaves free round its bounding box.
+constexpr double spare = 1.05;
+
+template <std::size_t count>
+std::size_t place(const std::array<std::string_view, count>& words, const std::string& word) {
+  return static_cast<std::size_t>(std::find(words.begin(), words.end(), word) - words.begin());
+}
+
+Triple as_triple(Vec3d v) { return {v.x, v.y, v.z}; }
+
+/// Where a camera that has no place of its own stands: on +z of the box, so that the sphere around
+/// the box fits in the view.
+struct Standpoint {
+  Vec3d position, look_at;
+  double size = 1.0;
+
+  Standpoint(const Box& box, double fov) {
+    const double radius = box.diagonal() > 0.0 ? 0.5 * box.diagonal() : 1.0;
+    look_at = box.empty() ? Vec3d{} : box.middle();
+    position = look_at + Vec3d{0, 0, spare * radius / std::sin(fov * std::numbers::pi / 360.0)};
+    size = 2.0 * spare * radius;
+  }
+};
+
+void orient(Camera& camera, Vec3d look_at, Vec3d up, Parameters& parameters) {
+  const Vec3d way = look_at - camera.position;
+  const double distance = length(way), up_length = length(up);
+  if (!(distance > 0.0) || !std::isfinite(distance)) {
+    parameters.fault("look_at", "the camera looks at its own position", "move one of the two");
+    return;
+  }
+  if (!(up_length > 0.0) || !std::isfinite(up_length)) {
+    parameters.fault("up", "'up' has no direction", "give for instance [0, 1, 0]");
+    return;
+  }
+  camera.forward = way / distance;
+  const Vec3d across = cross(camera.forward, up / up_length);
+  if (!(length(across) > parallel)) {
+    parameters.fault(
+        "up", "'up' is parallel to the direction of view",
+        "give a direction to the side of it, for instance " +
+            std::string(std::fabs(camera.forward.y) > 0.9 ? "[0, 0, -1]" : "[0, 1, 0]"));
+    return;
+  }
+  camera.right = normalize(across);
+  camera.up = cross(camera.right, camera.forward);
+}
+
+bool spans_width(FovAxis axis, int width, int height) {
+  switch (axis) {
+    case FovAxis::x:
+      return true;
+    case FovAxis::y:
+      return false;
+    case FovAxis::smaller:
+      return width < height;
+    case FovAxis::larger:
+      return width > height;
+  }
+  return false;
+}
+
+}  // namespace
+
+Camera Camera::from(Parameters& parameters, const std::optional<Box>& whole) {
+  Camera camera;
+  camera.projection = Projection(
+      place(projections, parameters.choice("type", projections, std::string(projections.front()))));
+  const bool perspective = camera.projection == Projection::perspective;
+  if (perspective) {
+    camera.fov = parameters.number("fov", {1e-6, 179.9}, camera.fov);
+    camera.fov_axis =
+        FovAxis(place(axes, parameters.choice("fov_axis", axes, whole ? "smaller" : "y")));
+  }
+  std::optional<Triple> position, look_at;
+  std::optional<double> size;
+  if (whole) {
+    const Standpoint standpoint(*whole, camera.fov);
+    position = as_triple(standpoint.position);
+    look_at = as_triple(standpoint.look_at);
+    size = standpoint.size;
+  }
+  const std::size_t before = parameters.faults().size();
+  camera.position = to_vec3(parameters.triple("position", any_number, position));
+  const Vec3d target = to_vec3(parameters.triple("look_at", any_number, look_at));
+  const Vec3d up = to_vec3(parameters.triple("up", any_number, Triple{0, 1, 0}));
+  if (parameters.faults().size() == before) orient(camera, target, up, parameters);
+  if (!perspective) camera.size = parameters.number("size", positive, size);
+  return camera;
+}
+
+Ray Camera::ray(double film_x, double film_y, int width, int height) const {
+  const double aspect = static_cast<double>(width) / height;
+  const double across = 2.0 * film_x / width - 1.0, above = 1.0 - 2.0 * film_y / height;
+  if (projection == Projection::orthographic) {
+    const double half = 0.5 * size;
+    return {position + right * (across * half * aspect) + up * (above * half), forward};
+  }
+  const double half = std::tan(fov * std::numbers::pi / 360.0);
+  const double half_height = spans_width(fov_axis, width, height) ? half / aspect : half;
+  const Vec3d way = forward + right * (across * half_height * aspect) + up * (above * half_height);
+  return {position, normalize(way)};
+}
+
+}  // namespace portalens
