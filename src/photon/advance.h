@@ -328,10 +328,11 @@ class Tracer {
   }
 
   /// Outside everything but infinite influences, on a straight way that meets nothing, with less
-  /// turning to come than the tolerance: what is to come is added, and the photon has escaped.
+  /// turning to come than the tolerance: what is to come is added (to first order in m/d, so the
+  /// error is a share m/d of it), and the photon has escaped.
   [[nodiscard]] bool far_from_all() {
     if (!space_.unbounded || surroundings_.quiet == 0.0) return false;
-    double turning = 0.0;
+    double turning = 0.0, closeness = 0.0;
     Vec3d kick;
     for (std::uint32_t i : surroundings_.inside) {
       const Mass& mass = space_.masses[i];
@@ -347,9 +348,11 @@ class Tracer {
       const double m = mass.gm * field_.inverse_c2();
       const double rest = m / d * (b / d) / (1.0 + outward);
       turning += rest;
+      closeness += m / d;
       kick += across * (rest / b);
     }
-    if (turning > 0.02 * space_.physics.tolerance) return false;
+    if (turning > space_.physics.tolerance || turning * closeness > 0.02 * space_.physics.tolerance)
+      return false;
     const Ray ray{state_.position, state_.direction};
     const double reach = field_.free_flight(ray, 1e-7 * space_.extent, 1e3 * space_.extent);
     if (reach > 0.0 && std::isfinite(reach)) return false;

@@ -54,15 +54,27 @@ class Curve {
     return 1.5 * std::max({bend_[0], bend_[1], bend_[2]}) * piece * piece / 8.0;
   }
 
-  /// ∫ |dt/ds| ds from the start, by the parabola through start, middle and end.
+  /// ∫ |dt/ds| ds from the start to `s`: Gauss's three points on the polynomial; on a step so short
+  /// that its second derivative would be rounding, the parabola through the bends at the start, the
+  /// middle and the end.
   [[nodiscard]] double turning(double s) const {
-    const double u = s / length_;
-    const double slope = -3.0 * bend_[0] + 4.0 * bend_[1] - bend_[2];
-    const double square = 2.0 * (bend_[0] - 2.0 * bend_[1] + bend_[2]);
-    return std::max(0.0, s * (bend_[0] + u * (slope / 2.0 + u * square / 3.0)));
+    if (length_ < 2e-5 * portalens::length(start_)) {
+      const double u = s / length_;
+      const double slope = -3.0 * bend_[0] + 4.0 * bend_[1] - bend_[2];
+      const double square = 2.0 * (bend_[0] - 2.0 * bend_[1] + bend_[2]);
+      return std::fmax(0.0, s * (bend_[0] + u * (slope / 2.0 + u * square / 3.0)));
+    }
+    const double u = 0.5 * s / length_, offset = u * 0.7745966692414834;
+    return (5.0 * (curvature(u - offset) + curvature(u + offset)) + 8.0 * curvature(u)) * s / 18.0;
   }
 
  private:
+  /// |d²x/ds²| at the share `u` of the step.
+  [[nodiscard]] double curvature(double u) const {
+    const Vec3d second = c2_ * 2.0 + (c3_ * 6.0 + (c4_ * 12.0 + c5_ * (20.0 * u)) * u) * u;
+    return portalens::length(second) / (length_ * length_);
+  }
+
   Vec3d start_, c1_, c2_, c3_, c4_, c5_;
   double length_;
   double bend_[3] = {0.0, 0.0, 0.0};

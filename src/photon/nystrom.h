@@ -47,7 +47,7 @@ struct Nystrom {
 
   /// η⁴ as a share of the tolerance, and λ: measured against the closed forms of one mass from near
   /// capture to far (tests/photon/closed_forms_test.cpp holds them to it).
-  static constexpr double error_share = 1.0;
+  static constexpr double error_share = 0.3;
   static constexpr double longest_share = 0.5;
 };
 
