@@ -1,0 +1,72 @@
+/// \file
+/// Small spaces and photons that many tests start from.
+#pragma once
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "photon/engine.h"
+
+namespace portalens::test {
+
+/// The constants of physics.md, sec. 3: m = 0.98765, R = 447.21.
+inline constexpr double standard_gm = 2000.0;
+
+/// A mass with the radii that follow from the physics.
+inline Mass mass_at(Vec3d center, double gm, const Physics& physics) {
+  Mass mass;
+  mass.center = center;
+  mass.gm = gm;
+  mass.schwarzschild = schwarzschild_radius(gm, physics.c);
+  mass.influence = influence_radius(gm, physics.min_force);
+  return mass;
+}
+
+inline Physics physics_with(double tolerance, double min_force = 0.01) {
+  Physics physics;
+  physics.tolerance = tolerance;
+  physics.min_force = min_force;
+  physics.portal_gravity = "none";
+  physics.max_steps = 1000000;
+  return physics;
+}
+
+inline Space space_with(const Physics& physics, std::vector<Mass> masses,
+                        std::vector<Shape> shapes = {}, std::vector<Portal> portals = {}) {
+  return Space(physics, 16, std::move(shapes), std::move(portals), std::move(masses));
+}
+
+inline Photon photon_at(Vec3d position, Vec3d direction) {
+  Photon photon;
+  photon.position = position;
+  photon.direction = normalize(direction);
+  return photon;
+}
+
+inline Arrival advance_one(const Space& space, const Photon& photon) {
+  Arrival arrival;
+  advance(space, {&photon, 1}, {&arrival, 1});
+  return arrival;
+}
+
+/// Two portals that are each other's pair, from their polygons.
+inline std::vector<Portal> portal_pair(const std::vector<Vec3d>& a, const std::vector<Vec3d>& b) {
+  std::vector<Portal> portals(2);
+  portals[0].vertices = a;
+  portals[1].vertices = b;
+  for (int i = 0; i < 2; ++i) {
+    Portal& portal = portals[i];
+    portal.pair = 1 - i;
+    portal.frame = polygon_frame(portal.vertices);
+    for (std::size_t k = 0; k < portal.vertices.size(); ++k)
+      portal.longest_edge =
+          std::fmax(portal.longest_edge,
+                    length(portal.vertices[(k + 1) % portal.vertices.size()] - portal.vertices[k]));
+  }
+  for (int i = 0; i < 2; ++i)
+    portals[i].through = motion_through(portals[i].frame, portals[1 - i].frame);
+  return portals;
+}
+
+}  // namespace portalens::test
