@@ -58,7 +58,7 @@ std::string found(const Value& value) {
 }
 
 std::string is(std::string_view key, const std::string& what) {
-  return quoted(key) + " is " + what;
+  return in_quotes(key) + " is " + what;
 }
 
 bool printable(const std::string& text) {
@@ -120,7 +120,7 @@ const Value* Parameters::raw(std::string_view key) {
 const Value* Parameters::require(std::string_view key, bool optional, std::string_view what) {
   const Value* value = raw(key);
   if (!value && !optional) {
-    faults_->add(table_->where, table_->kind + " has no " + quoted(key),
+    faults_->add(table_->where, table_->kind + " has no " + in_quotes(key),
                  "give it " + std::string(what));
   }
   return value;
@@ -178,7 +178,7 @@ std::string Parameters::text(std::string_view key, std::optional<std::string> fa
   const auto* given = std::get_if<std::string>(&value->data);
   if (given && printable(*given)) return *given;
   if (given) {
-    fault_at(*value, quoted(key) + " contains a control character", "leave it out");
+    fault_at(*value, in_quotes(key) + " contains a control character", "leave it out");
   } else {
     fault_at(*value, is(key, describe(*value)), "give a string");
   }
@@ -198,7 +198,7 @@ std::string Parameters::choice(std::string_view key, std::span<const std::string
   }
   if (std::find(words.begin(), words.end(), *given) != words.end()) return *given;
   const std::string guess = suggestion(*given, words);
-  fault_at(*value, "unknown " + std::string(key) + " " + quoted(*given),
+  fault_at(*value, "unknown " + std::string(key) + " " + in_quotes(*given),
            guess.empty() ? "known are " + listed(words)
                          : "did you mean " + guess + "? known are " + listed(words));
   return otherwise;
@@ -214,7 +214,7 @@ std::optional<Triple> Parameters::checked_triple(std::string_view key, const Val
   Triple triple{};
   for (std::size_t i = 0; i < 3; ++i) {
     if (!checked_finite((*list)[i], bounds, triple[i])) {
-      fault_at((*list)[i], quoted(key) + " contains " + found((*list)[i]), remedy);
+      fault_at((*list)[i], in_quotes(key) + " contains " + found((*list)[i]), remedy);
       return std::nullopt;
     }
   }
@@ -270,7 +270,7 @@ void Parameters::finish() {
   const std::vector<std::string> known(known_.begin(), known_.end());
   for (const auto& [key, value] : table_->entries) {
     if (known_.count(key) > 0) continue;
-    fault_at(value, "unknown key " + quoted(key), suggestion_or_list(key, known));
+    fault_at(value, "unknown key " + in_quotes(key), suggestion_or_list(key, known));
   }
 }
 

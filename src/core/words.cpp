@@ -173,7 +173,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-std::string quoted(std::string_view word) {
+std::string in_quotes(std::string_view word) {
   std::string result = "'";
   for (const char letter : word.substr(0, longest_quote)) {
     const auto code = static_cast<unsigned char>(letter);

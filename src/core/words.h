@@ -9,7 +9,9 @@
 namespace portalens {
 
 /// `'word'`, safe to print: control characters become `?`, a long word is cut short.
-[[nodiscard]] std::string quoted(std::string_view word);
+[[nodiscard]] std::string in_quotes(std::string_view word);
+
+[[nodiscard]] inline std::string quoted(std::string_view word) { return in_quotes(word); }
 
 /// `a, b, c`
 [[nodiscard]] std::string listed(const std::vector<std::string>& words);

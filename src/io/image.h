@@ -13,8 +13,8 @@
 
 namespace portalens {
 
-/// Three linear channels; 8-bit files are taken as sRGB. The kind is told by the file's first bytes.
-/// The header's size is checked against a budget before anything is allocated.
+/// Three linear channels; 8-bit files are taken as sRGB. The kind is told by the file's first
+/// bytes. The header's size is checked against a budget before anything is allocated.
 /// @param asked_at  where the scene names the file
 [[nodiscard]] std::optional<Image> read_image(const std::filesystem::path& file,
                                               const Location& asked_at, Faults& faults);
@@ -28,8 +28,8 @@ struct Channel {
 using Metadata = std::vector<std::pair<std::string, std::string>>;
 
 /// Writes the channels (all of width × height) as the suffix says: `.exr` float, linear, with the
-/// metadata; `.png` 8-bit sRGB of R, G, B. Encoded to memory, written to a temporary file beside the
-/// target, flushed, renamed, read back: the old picture stays whole until the new one is.
+/// metadata; `.png` 8-bit sRGB of R, G, B. Encoded to memory, written to a temporary file beside
+/// the target, flushed, renamed, read back: the old picture stays whole until the new one is.
 /// @throws WorkError with the path and the cause
 void write_image(const std::filesystem::path& file, int width, int height,
                  const std::vector<Channel>& channels, const Metadata& metadata);

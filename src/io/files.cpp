@@ -1,0 +1,192 @@
+#include "io/files.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstddef>
+#include <cstring>
+#include <new>
+#include <system_error>
+
+namespace portalens {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t piece = std::size_t{1} << 20;  // bytes moved at once
+
+std::string cause(int code) { return std::generic_category().message(code); }
+
+[[noreturn]] void give_up(const fs::path& file, const std::string& why) {
+  throw WorkError("can't write " + file.string() + ": " + why);
+}
+
+/// An open file that is closed again.
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  ~Descriptor() { close(); }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  [[nodiscard]] int number() const { return number_; }
+  [[nodiscard]] bool open() const { return number_ >= 0; }
+  /// 0, or the error: a network disk may report only now that it is full.
+  int close() {
+    if (number_ < 0) return 0;
+    const int result = ::close(number_);
+    number_ = -1;
+    return result == 0 ? 0 : errno;
+  }
+
+ private:
+  int number_;
+};
+
+/// A new file of its own name in a folder, removed again unless it was renamed away.
+class Temporary {
+ public:
+  explicit Temporary(const fs::path& target) : target_(target) {
+    fs::path folder = target.parent_path();
+    if (folder.empty()) folder = ".";
+    for (int attempt = 0; attempt < 1000; ++attempt) {
+      path_ = folder /
+              (".portalens-" + std::to_string(::getpid()) + "-" + std::to_string(attempt) + ".tmp");
+      number_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0666);
+      if (number_ >= 0) return;
+      if (errno != EEXIST) give_up(target, cause(errno));
+    }
+    give_up(target, "no free name for a temporary file");
+  }
+  ~Temporary() {
+    if (number_ >= 0) ::close(number_);
+    if (!renamed_) ::unlink(path_.c_str());
+  }
+  Temporary(const Temporary&) = delete;
+  Temporary& operator=(const Temporary&) = delete;
+
+  void write(std::string_view bytes) {
+    while (!bytes.empty()) {
+      const ssize_t written = ::write(number_, bytes.data(), std::min(bytes.size(), piece));
+      if (written < 0 && errno == EINTR) continue;
+      if (written <= 0) give_up(target_, written < 0 ? cause(errno) : "nothing was written");
+      bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+    if (::fsync(number_) != 0) give_up(target_, cause(errno));
+    const int result = ::close(number_);
+    number_ = -1;
+    if (result != 0) give_up(target_, cause(errno));
+  }
+
+  void rename() {
+    if (::rename(path_.c_str(), target_.c_str()) != 0) give_up(target_, cause(errno));
+    renamed_ = true;
+  }
+
+ private:
+  fs::path target_, path_;
+  int number_ = -1;
+  bool renamed_ = false;
+};
+
+/// The file behind a link, so that the link stays one.
+fs::path behind_links(const fs::path& file) {
+  std::error_code error;
+  if (!fs::is_symlink(file, error)) return file;
+  const fs::path target = fs::weakly_canonical(file, error);
+  if (error) give_up(file, error.message());
+  return target;
+}
+
+void refuse_what_is_no_file(const fs::path& file) {
+  struct stat status {};
+  if (::stat(file.c_str(), &status) != 0) {
+    if (errno != ENOENT) give_up(file, cause(errno));
+  } else if (S_ISDIR(status.st_mode)) {
+    give_up(file, "it is a folder");
+  } else if (!S_ISREG(status.st_mode)) {
+    give_up(file, "it is not a regular file");
+  }
+}
+
+void flush_folder(const fs::path& file) {
+  fs::path folder = file.parent_path();
+  if (folder.empty()) folder = ".";
+  const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  // Some file systems can't flush a folder and say EINVAL: the file itself is safe by then.
+  if (opened.open() && ::fsync(opened.number()) != 0 && errno != EINVAL && errno != ENOTSUP) {
+    give_up(file, cause(errno));
+  }
+}
+
+/// Reads up to `size` bytes and whether the file ends there.
+std::optional<std::string> contents(int number, std::uint64_t size) {
+  std::string bytes;
+  bytes.reserve(static_cast<std::size_t>(size) + 1);
+  while (bytes.size() <= size) {
+    const std::size_t before = bytes.size();
+    bytes.resize(before + std::min<std::uint64_t>(piece, size + 1 - before));
+    const ssize_t got = ::read(number, bytes.data() + before, bytes.size() - before);
+    bytes.resize(before + static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) return std::nullopt;
+    if (got == 0) break;
+  }
+  return bytes;
+}
+
+std::string in_megabytes(std::uint64_t bytes) { return std::to_string(bytes >> 20) + " MiB"; }
+
+}  // namespace
+
+std::optional<std::string> read_file(const fs::path& file, std::uint64_t limit,
+                                     const Location& asked_at, Faults& faults) {
+  const auto refuse = [&](const std::string& problem, const std::string& remedy) {
+    faults.add(asked_at, problem, remedy);
+    return std::nullopt;
+  };
+  const std::string name = file.string();
+  const Descriptor opened(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+  if (!opened.open()) {
+    const int code = errno;
+    if (code == ENOENT) return refuse("there is no file " + name, "check its name and its folder");
+    return refuse("can't read " + name + ": " + cause(code), "make it readable");
+  }
+  struct stat status {};
+  if (::fstat(opened.number(), &status) != 0 || !S_ISREG(status.st_mode)) {
+    return refuse(name + " is not a regular file", "name a file, not a folder or a device");
+  }
+  const auto size = static_cast<std::uint64_t>(status.st_size);
+  const std::string too_long = "at most " + in_megabytes(limit) + " are read";
+  if (size > limit) return refuse(name + " has " + in_megabytes(size), too_long);
+  try {
+    auto bytes = contents(opened.number(), size);
+    if (!bytes) return refuse("can't read " + name + ": " + cause(errno), "check the disk");
+    if (bytes->size() > size) return refuse(name + " grew while it was read", "try again");
+    return bytes;
+  } catch (const std::bad_alloc&) {
+    return refuse("no memory for the " + in_megabytes(size) + " of " + name, "use a smaller file");
+  }
+}
+
+void replace_file(const fs::path& file, std::string_view bytes) {
+  const fs::path target = behind_links(file);
+  refuse_what_is_no_file(target);
+  Temporary temporary(target);
+  temporary.write(bytes);
+  temporary.rename();
+  flush_folder(target);
+  Faults faults;
+  const auto back = read_file(target, bytes.size(), {}, faults);
+  if (!back || *back != bytes) give_up(file, "what was written did not come back");
+}
+
+void check_replaceable(const fs::path& file) {
+  const fs::path target = behind_links(file);
+  refuse_what_is_no_file(target);
+  const Temporary trial(target);
+}
+
+}  // namespace portalens

@@ -1,0 +1,86 @@
+#include "io/read_scene.h"
+
+#include <cstdint>
+#include <memory>
+#include <string_view>
+
+#include "core/words.h"
+#include "io/files.h"
+#include "io/obj.h"
+#include "io/toml.h"
+#include "io/vocabulary.h"
+
+namespace portalens {
+namespace {
+
+constexpr std::uint64_t most_toml = std::uint64_t{1} << 20;
+constexpr std::uint64_t most_obj = std::uint64_t{1} << 30;  // an ordinary mesh may be its own scene
+
+/// Every section has its name and place, also where the file leaves it out.
+Scene empty_scene(const std::filesystem::path& file, const Location& whole) {
+  Scene scene;
+  scene.file = file;
+  for (const std::string& name : sections_known()) *find_section(scene, name) = {name, whole, {}};
+  return scene;
+}
+
+std::string lower_suffix(const std::filesystem::path& file) {
+  std::string suffix = file.extension().string();
+  for (char& letter : suffix) {
+    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+  }
+  return suffix;
+}
+
+}  // namespace
+
+Scene read_scene(const std::filesystem::path& file) {
+  const auto name = std::make_shared<const std::string>(file.string());
+  const Location whole{name, 0};
+  Scene scene = empty_scene(file, whole);
+  Faults faults;
+  const std::string suffix = lower_suffix(file);
+  if (suffix != ".toml" && suffix != ".obj") {
+    faults.add(whole, suffix.empty() ? "no suffix" : "unknown suffix " + in_quotes(suffix),
+               "a scene's name ends in .toml or .obj");
+    faults.raise();
+  }
+  const auto text = read_file(file, suffix == ".toml" ? most_toml : most_obj, whole, faults);
+  if (text && text->empty()) faults.add(whole, "the file is empty", "describe a scene in it");
+  faults.raise();
+  if (suffix == ".toml") {
+    read_toml(*text, name, scene, faults);
+  } else {
+    read_obj(*text, name, scene, faults);
+  }
+  faults.raise();
+  return scene;
+}
+
+void override_value(Scene& scene, const std::string& assignment, Faults& faults) {
+  const std::string form = "write SECTION.KEY=VALUE, as in physics.tolerance=1e-5";
+  const std::size_t equals = assignment.find('=');
+  const std::size_t dot = assignment.find('.');
+  if (equals == std::string::npos || dot == std::string::npos || dot == 0 || dot + 1 >= equals) {
+    faults.add({}, in_quotes(assignment) + " sets nothing", form);
+    return;
+  }
+  const std::string section = assignment.substr(0, dot);
+  const std::string key = assignment.substr(dot + 1, equals - dot - 1);
+  Table* table = find_section(scene, section);
+  if (!table) {
+    faults.add({}, "unknown section " + in_quotes(section),
+               suggestion_or_list(section, sections_known()));
+    return;
+  }
+  auto value = read_toml_value(assignment.substr(equals + 1));
+  if (!value) {
+    faults.add({}, in_quotes(assignment.substr(equals + 1)) + " is no value",
+               "give a number, true or false, a word, a \"string\" or a [list]");
+    return;
+  }
+  table->set(key, std::move(*value));
+  if (section == "camera") scene.has_camera = true;
+}
+
+}  // namespace portalens

@@ -1,0 +1,226 @@
+#include "io/toml.h"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <set>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "core/words.h"
+#include "io/toml_depth.h"
+#include "io/vocabulary.h"
+
+namespace portalens {
+namespace {
+
+constexpr int most_brackets = 32;
+constexpr int most_dots = 16;
+
+using File = std::shared_ptr<const std::string>;
+
+int line_of(const toml::source_region& source) { return static_cast<int>(source.begin.line); }
+
+/// A table's entries in the order of the file; the library gives them by the alphabet.
+std::vector<std::pair<const toml::key*, const toml::node*>> by_place(const toml::table& table) {
+  std::vector<std::pair<const toml::key*, const toml::node*>> entries;
+  for (auto it = table.cbegin(); it != table.cend(); ++it) {
+    entries.emplace_back(&it->first, &it->second);
+  }
+  std::stable_sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) {
+    const toml::source_position& left = a.first->source().begin;
+    const toml::source_position& right = b.first->source().begin;
+    return std::tie(left.line, left.column) < std::tie(right.line, right.column);
+  });
+  return entries;
+}
+
+/// Turns the library's nodes into values with their places.
+class Converter {
+ public:
+  Converter(File file, Faults& faults) : file_(std::move(file)), faults_(&faults) {}
+
+  [[nodiscard]] Location at(int line) const { return {file_, line}; }
+
+  Value value(const toml::node& node, int line) const {
+    Value result{false, at(line)};
+    if (const auto* flag = node.as_boolean()) {
+      result.data = flag->get();
+    } else if (const auto* integer = node.as_integer()) {
+      result.data = std::int64_t{integer->get()};
+    } else if (const auto* number = node.as_floating_point()) {
+      result.data = number->get();
+    } else if (const auto* text = node.as_string()) {
+      result.data = text->get();
+    } else if (const auto* list = node.as_array()) {
+      Value::List elements;
+      for (auto it = list->cbegin(); it != list->cend(); ++it) {
+        elements.push_back(value(*it, line_of(it->source())));
+      }
+      result.data = std::move(elements);
+    } else if (const auto* table = node.as_table()) {
+      result.data = dictionary(*table);
+    } else {
+      faults_->add(at(line), "a date or time stands where none is used",
+                   "give a number, a string, true or false, or a list");
+    }
+    return result;
+  }
+
+  Value::Dictionary dictionary(const toml::table& table) const {
+    Value::Dictionary entries;
+    for (const auto& [key, node] : by_place(table)) {
+      entries.push_back({std::string(key->str()), value(*node, line_of(key->source()))});
+    }
+    return entries;
+  }
+
+ private:
+  File file_;
+  Faults* faults_;
+};
+
+/// Sorts the tables of a file into a scene.
+class Sorter {
+ public:
+  Sorter(Scene& scene, const File& file, Faults& faults)
+      : scene_(&scene), faults_(&faults), convert_(file, faults) {}
+
+  void sort(const toml::table& root) {
+    for (const auto& [key, node] : by_place(root)) {
+      const std::string name(key->str());
+      const Location where = convert_.at(line_of(key->source()));
+      if (Table* section = find_section(*scene_, name)) {
+        fill_section(*section, name, *node, where);
+      } else if (is_list(name)) {
+        fill_list(name, *node, where);
+      } else {
+        refuse_unknown(name, *node, where);
+      }
+    }
+    put_objects_in_order();
+  }
+
+ private:
+  struct Placed {
+    Location where;
+    std::size_t column;
+    Table table;
+  };
+
+  void fill_section(Table& section, const std::string& name, const toml::node& node,
+                    const Location& where) {
+    const toml::table* table = node.as_table();
+    if (!table) {
+      faults_->add(where, name + " is not a table",
+                   "write [" + name + "] once, and its keys below it");
+      return;
+    }
+    section.where = where;
+    section.entries = convert_.dictionary(*table);
+    if (name == "camera") scene_->has_camera = true;
+  }
+
+  void fill_list(const std::string& kind, const toml::node& node, const Location& where) {
+    const toml::array* list = node.as_array();
+    if (!list) {
+      faults_->add(where, kind + " is not a list of tables",
+                   "write [[" + kind + "]] for each " + kind + ", and its keys below it");
+      return;
+    }
+    for (auto it = list->cbegin(); it != list->cend(); ++it) {
+      const Location place = convert_.at(line_of(it->source()));
+      const toml::table* element = it->as_table();
+      if (!element) {
+        faults_->add(place, kind + " contains what is not a table",
+                     "write [[" + kind + "]] for each " + kind + ", and its keys below it");
+        continue;
+      }
+      Table table{kind, place, convert_.dictionary(*element)};
+      if (kind == "material") {
+        scene_->materials.push_back(std::move(table));
+      } else if (kind == "light") {
+        scene_->lights.push_back(std::move(table));
+      } else {
+        placed_.push_back({place, it->source().begin.column, std::move(table)});
+      }
+    }
+  }
+
+  void refuse_unknown(const std::string& name, const toml::node& node, const Location& where) {
+    const bool tables = node.is_table() || node.is_array_of_tables();
+    faults_->add(where, "unknown " + std::string(tables ? "table " : "key ") + in_quotes(name),
+                 tables
+                     ? suggestion_or_list(name, tables_known())
+                     : "every key stands in a table; known tables are " + listed(tables_known()));
+  }
+
+  void put_objects_in_order() {
+    std::stable_sort(placed_.begin(), placed_.end(), [](const Placed& a, const Placed& b) {
+      return std::tie(a.where.line, a.column) < std::tie(b.where.line, b.column);
+    });
+    if (placed_.size() > most_objects) {
+      faults_->add(placed_[most_objects].where,
+                   "more than " + std::to_string(most_objects) + " objects", "put them in a mesh");
+      return;
+    }
+    for (Placed& placed : placed_) scene_->objects.push_back(std::move(placed.table));
+  }
+
+  Scene* scene_;
+  Faults* faults_;
+  Converter convert_;
+  std::vector<Placed> placed_;
+};
+
+/// False, and a fault, if the parser must not see the text.
+bool shallow_enough(std::string_view text, const File& file, Faults& faults) {
+  const TomlDepth depth = toml_depth(text);
+  if (depth.brackets > most_brackets) {
+    faults.add({file, depth.brackets_line},
+               "lists inside lists, " + std::to_string(depth.brackets) + " deep",
+               "at most " + std::to_string(most_brackets) + " are read");
+  }
+  if (depth.dots > most_dots) {
+    faults.add({file, depth.dots_line}, "a key of " + std::to_string(depth.dots) + " dots",
+               "at most " + std::to_string(most_dots) + " are read");
+  }
+  return depth.brackets <= most_brackets && depth.dots <= most_dots;
+}
+
+}  // namespace
+
+void read_toml(std::string_view text, const File& name, Scene& scene, Faults& faults) {
+  if (!shallow_enough(text, name, faults)) return;
+  try {
+    const toml::table root = toml::parse(text, std::string_view(*name));
+    Sorter(scene, name, faults).sort(root);
+  } catch (const toml::parse_error& error) {
+    faults.add({name, line_of(error.source())},
+               "this is not TOML: " + std::string(error.description()),
+               "mend this first; what follows it has not been read");
+  }
+}
+
+std::optional<Value> read_toml_value(const std::string& text) {
+  const bool bare = !text.empty() && std::all_of(text.begin(), text.end(), [](char letter) {
+    return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
+           (letter >= '0' && letter <= '9') || letter == '_' || letter == '-' || letter == '.' ||
+           letter == '/';
+  });
+  Faults faults;
+  const bool one_line = text.find_first_of("\r\n") == std::string::npos;
+  if (!one_line || !shallow_enough(text, nullptr, faults)) return std::nullopt;
+  try {
+    const toml::table root = toml::parse("value = " + text);
+    const Value value = Converter(nullptr, faults).value(*root.get("value"), 0);
+    if (faults.empty()) return value;
+  } catch (const toml::parse_error&) {
+    if (bare) return Value{text, {}};
+  }
+  return std::nullopt;
+}
+
+}  // namespace portalens
