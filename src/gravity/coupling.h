@@ -22,11 +22,15 @@
 
 #include "gravity/closest_point_coupling.h"
 #include "gravity/coupling_input.h"
+#include "gravity/graviton_map_coupling.h"
 #include "gravity/no_coupling.h"
+#include "gravity/portal_mass_coupling.h"
+#include "gravity/shortest_path_coupling.h"
 
 namespace portalens {
 
-using Coupling = std::variant<NoCoupling, ClosestPointCoupling>;
+using Coupling = std::variant<NoCoupling, ClosestPointCoupling, ShortestPathCoupling,
+                              GravitonMapCoupling, PortalMassCoupling>;
 
 /// The names of all couplings, in the order of the list.
 [[nodiscard]] std::vector<std::string_view> coupling_names();

@@ -1,0 +1,65 @@
+/// \file
+/// `graviton-map`: `closest-point` with what each portal passes on kept in a grid on its face. The
+/// future work of Dunigan & Pianta, sec. 8; physics.md, sec. 5.
+///
+/// Nodes lie on the portal's bounding rectangle in (right, up), corners included,
+/// `graviton_resolution` of them along the longer side, at the same or a smaller spacing across;
+/// each holds the exact R_A⁻¹ g_{k-1}(T_A q), outside of the polygon too. Between the four nearest
+/// it is bilinear. One look-up a portal, whatever the depth; the error falls with the square of the
+/// spacing wherever the field is smooth.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "gravity/closest_point_coupling.h"
+
+namespace portalens {
+
+/// How far a map is from what it stands for, in the middles of its cells, where it is worst.
+struct GravitonMapError {
+  double typical = 0.0;  ///< root mean square of the difference over that of the exact field
+  double largest = 0.0;  ///< largest difference over the largest exact field
+};
+
+class GravitonMapCoupling {
+ public:
+  static constexpr std::string_view name = "graviton-map";
+
+  explicit GravitonMapCoupling(const CouplingInput& input);
+
+  [[nodiscard]] Pull pull(Vec3d x, Vec3d anchor) const;
+  [[nodiscard]] std::uint64_t signature(Vec3d x) const;
+  [[nodiscard]] double quiet(Vec3d x) const { return exact_.quiet(x); }
+
+  /// The coupling that the map stands for.
+  [[nodiscard]] const ClosestPointCoupling& exact() const { return exact_; }
+  /// Compares the map of one portal with `exact()` in the cells whose middle is on the face.
+  [[nodiscard]] GravitonMapError error(std::uint32_t portal) const;
+
+ private:
+  struct Grid {
+    double low_x = 0.0, low_y = 0.0, spacing_x = 1.0, spacing_y = 1.0;
+    std::uint32_t count_x = 0, count_y = 0;
+    std::size_t first = 0;  ///< of its nodes
+  };
+  /// Where on a portal's face a point draws from.
+  struct Draw {
+    Feature feature;
+    std::uint32_t i = 0, j = 0;  ///< cell
+  };
+
+  [[nodiscard]] bool draws(std::uint32_t portal, Vec3d x, Draw& draw) const;
+  [[nodiscard]] Pull interpolate(const Grid& grid, const Draw& draw, Vec3d place) const;
+  [[nodiscard]] const Pull& node(const Grid& grid, std::uint32_t i, std::uint32_t j) const {
+    return nodes_[grid.first + static_cast<std::size_t>(j) * grid.count_x + i];
+  }
+  void add_grid(std::uint32_t portal, int resolution);
+
+  ClosestPointCoupling exact_;
+  std::vector<Grid> grids_;
+  std::vector<Pull> nodes_;
+};
+
+}  // namespace portalens

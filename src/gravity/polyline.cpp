@@ -1,0 +1,156 @@
+#include "gravity/polyline.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace portalens {
+
+namespace {
+
+using Row = std::array<double, max_chain>;
+
+/// First and second derivatives of the length in the places; the second are tridiagonal.
+struct Slope {
+  Row gradient, diagonal, beside;  ///< beside[i] couples i and i + 1
+};
+
+double segment_length(Vec3d segment, double blur) {
+  return std::sqrt(dot(segment, segment) + blur * blur);
+}
+
+double total_length(const Polyline& way, double blur) {
+  double sum = 0.0;
+  Vec3d last = way.from;
+  for (std::size_t i = 0; i < way.count; ++i) {
+    const Vec3d next = way.point(i);
+    sum += segment_length(next - last, blur);
+    last = next;
+  }
+  return sum + segment_length(way.to - last, blur);
+}
+
+Slope slope_of(const Polyline& way, double blur) {
+  Slope slope;
+  Vec3d last = way.from, here = way.point(0);
+  Vec3d unit_before = here - last;
+  double before = segment_length(unit_before, blur);
+  unit_before = unit_before / before;
+  for (std::size_t i = 0; i < way.count; ++i) {
+    const bool inner = i + 1 < way.count;
+    const Vec3d next = inner ? way.point(i + 1) : way.to;
+    Vec3d unit_after = next - here;
+    const double after = segment_length(unit_after, blur);
+    unit_after = unit_after / after;
+    const Vec3d& d = way.slides[i].direction;
+    const double in = dot(d, unit_before), out = dot(d, unit_after);
+    slope.gradient[i] = in - out;
+    // A little more than the true curvature: flat directions then stay put.
+    slope.diagonal[i] = (1.0 - in * in + 1e-11) / before + (1.0 - out * out + 1e-11) / after;
+    if (inner) {
+      const Vec3d& e = way.slides[i + 1].direction;
+      slope.beside[i] = -(dot(d, e) - out * dot(e, unit_after)) / after;
+    }
+    last = here;
+    here = next;
+    before = after;
+    unit_before = unit_after;
+  }
+  return slope;
+}
+
+/// The Newton step; places that press against an end of their slide stay there.
+Row newton_step(const Polyline& way, Slope slope) {
+  const auto held = [&](std::size_t i) {
+    const Slide& slide = way.slides[i];
+    return (way.places[i] <= slide.low && slope.gradient[i] >= 0.0) ||
+           (way.places[i] >= slide.high && slope.gradient[i] <= 0.0);
+  };
+  for (std::size_t i = 0; i < way.count; ++i) {
+    if (!held(i)) continue;
+    slope.gradient[i] = 0.0;
+    slope.diagonal[i] = 1.0;
+    slope.beside[i] = 0.0;
+    if (i > 0) slope.beside[i - 1] = 0.0;
+  }
+  for (std::size_t i = 1; i < way.count; ++i) {
+    const double factor = slope.beside[i - 1] / slope.diagonal[i - 1];
+    slope.diagonal[i] -= factor * slope.beside[i - 1];
+    slope.gradient[i] -= factor * slope.gradient[i - 1];
+  }
+  Row step;
+  double next = 0.0;
+  for (std::size_t i = way.count; i-- > 0;) {
+    const double coupled = i + 1 < way.count ? slope.beside[i] * next : 0.0;
+    next = (-slope.gradient[i] - coupled) / slope.diagonal[i];
+    step[i] = next;
+  }
+  return step;
+}
+
+/// Newton's method with the corners of the length rounded off by `blur`.
+void descend(Polyline& way, double blur) {
+  double here = total_length(way, blur);
+  for (int round = 0; round < 40; ++round) {
+    const Row step = newton_step(way, slope_of(way, blur));
+    const Row start = way.places;
+    double moved = 0.0;
+    bool better = false;
+    for (double share = 1.0; share > 1e-9 && !better; share *= 0.5) {
+      moved = 0.0;
+      for (std::size_t i = 0; i < way.count; ++i) {
+        const Slide& slide = way.slides[i];
+        way.places[i] = std::clamp(start[i] + share * step[i], slide.low, slide.high);
+        moved = std::max(moved, std::fabs(way.places[i] - start[i]));
+      }
+      const double there = total_length(way, blur);
+      better = there <= here * (1.0 + 1e-15);
+      if (better) here = there;
+    }
+    if (!better) {
+      way.places = start;
+      return;
+    }
+    if (moved <= 1e-12 * here) return;
+  }
+}
+
+/// True if some segment has shrunk to almost nothing: there the length has a corner.
+bool cornered(const Polyline& way, double size) {
+  Vec3d last = way.from;
+  for (std::size_t i = 0; i <= way.count; ++i) {
+    const Vec3d next = i < way.count ? way.point(i) : way.to;
+    if (length(next - last) < 1e-4 * size) return true;
+    last = next;
+  }
+  return false;
+}
+
+}  // namespace
+
+double best_place(const Slide& slide, Vec3d a, Vec3d b) {
+  const double along_a = dot(a - slide.start, slide.direction);
+  const double along_b = dot(b - slide.start, slide.direction);
+  const double off_a = length(a - slide.at(along_a)), off_b = length(b - slide.at(along_b));
+  const double off = off_a + off_b;
+  const double best = off > 0.0 ? (along_a * off_b + along_b * off_a) / off : along_a;
+  return std::clamp(best, slide.low, slide.high);
+}
+
+double shorten(Polyline& way) {
+  if (way.count == 0) return length(way.to - way.from);
+  const int sweeps = way.count == 1 ? 1 : 2;
+  for (int sweep = 0; sweep < sweeps; ++sweep)
+    for (std::size_t i = 0; i < way.count; ++i)
+      way.places[i] = best_place(way.slides[i], i == 0 ? way.from : way.point(i - 1),
+                                 i + 1 < way.count ? way.point(i + 1) : way.to);
+  if (way.count > 1) {
+    const double size = total_length(way, 0.0);
+    if (cornered(way, size))
+      for (double blur = 1e-2; blur > 1e-11; blur *= 1e-2) descend(way, blur * size);
+    else
+      descend(way, 1e-14 * size);
+  }
+  return total_length(way, 0.0);
+}
+
+}  // namespace portalens

@@ -1,0 +1,157 @@
+#include "gravity/shortest_path_coupling.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "gravity/decision_hash.h"
+
+namespace portalens {
+
+namespace {
+
+/// Carries what lies behind the last portal of a chain back to where it seems to be.
+Vec3d unfold(std::span<const Portal> portals, std::span<const std::uint32_t> chain, Vec3d point) {
+  for (std::size_t i = chain.size(); i-- > 0;) point = portals[chain[i]].through.move_back(point);
+  return point;
+}
+
+PortalFace unfold_face(std::span<const Portal> portals, std::span<const std::uint32_t> chain,
+                       const Portal& portal) {
+  std::vector<Vec3d> vertices;
+  for (const Vec3d& v : portal.vertices) vertices.push_back(unfold(portals, chain, v));
+  Frame frame = portal.frame;
+  frame.origin = unfold(portals, chain, frame.origin);
+  for (Vec3d* axis : {&frame.right, &frame.up, &frame.normal})
+    for (std::size_t i = chain.size(); i-- > 0;)
+      *axis = portals[chain[i]].through.rotate_back(*axis);
+  return PortalFace(std::move(vertices), frame, portal.height_tolerance());
+}
+
+}  // namespace
+
+ShortestPathCoupling::ShortestPathCoupling(const CouplingInput& input) {
+  for (const Portal& portal : input.portals) {
+    faces_.emplace_back(portal);
+    double radius = 0.0;
+    for (const Vec3d& v : portal.vertices)
+      radius = std::max(radius, length(v - portal.frame.origin));
+    entrances_.push_back({portal.frame.origin, radius, 0.0});
+  }
+  std::vector<std::uint32_t> chain;
+  add_chains(input, chain, none);
+  for (const Image& image : images_) {
+    Entrance& entrance = entrances_[links_[image.link].first];
+    entrance.reach = std::max(entrance.reach, image.influence - image.beyond);
+  }
+}
+
+void ShortestPathCoupling::add_chains(const CouplingInput& input, std::vector<std::uint32_t>& chain,
+                                      std::uint32_t parent) {
+  if (chain.size() >= static_cast<std::size_t>(input.depth)) return;
+  for (std::uint32_t a = 0; a < input.portals.size(); ++a) {
+    if (!chain.empty() && a == input.portals[chain.back()].pair) continue;
+    const auto link = static_cast<std::uint32_t>(links_.size());
+    PortalFace face = unfold_face(input.portals, chain, input.portals[a]);
+    chain.push_back(a);
+    links_.push_back(
+        {std::move(face), a, parent, chain.front(), static_cast<std::uint32_t>(chain.size())});
+    add_images(input, chain, link);
+    add_chains(input, chain, link);
+    chain.pop_back();
+  }
+}
+
+void ShortestPathCoupling::add_images(const CouplingInput& input,
+                                      const std::vector<std::uint32_t>& chain, std::uint32_t link) {
+  for (std::uint32_t i = 0; i < input.masses.size(); ++i) {
+    const Mass& mass = input.masses[i];
+    const Vec3d center = unfold(input.portals, chain, mass.center);
+    double beyond = 0.0;
+    for (std::uint32_t at = link; at != none; at = links_[at].parent)
+      beyond = std::max(beyond, links_[at].face.distance(center));
+    if (mass.gm > 0.0 && beyond < mass.influence)
+      images_.push_back({center, mass.gm, mass.core * mass.core, mass.influence, beyond, link, i});
+  }
+}
+
+std::vector<std::uint32_t> ShortestPathCoupling::chain(const Image& image) const {
+  std::vector<std::uint32_t> portals;
+  for (std::uint32_t at = image.link; at != none; at = links_[at].parent)
+    portals.insert(portals.begin(), links_[at].portal);
+  return portals;
+}
+
+FaceRow ShortestPathCoupling::faces_of(const Image& image, Row& row) const {
+  std::uint32_t at = image.link;
+  const std::size_t size = links_[at].size;
+  for (std::size_t i = size; i-- > 0; at = links_[at].parent) row[i] = &links_[at].face;
+  return {row.data(), size};
+}
+
+bool ShortestPathCoupling::decide(const Image& image, Vec3d x, FaceRow faces, Passages& out) const {
+  const Vec3d to = image.center - x;
+  if (!(dot(to, to) < image.influence * image.influence)) return false;
+  const Entrance& entrance = entrances_[links_[image.link].first];
+  const Vec3d apart = x - entrance.center;
+  const double limit = image.influence - image.beyond + entrance.radius;
+  if (dot(apart, apart) > limit * limit) return false;
+  return shortest_passages(x, image.center, faces, image.influence, out);
+}
+
+Way ShortestPathCoupling::way(const Image& image, Vec3d x) const {
+  Row row;
+  Passages passages;
+  const FaceRow faces = faces_of(image, row);
+  if (!decide(image, x, faces, passages))
+    return {std::numeric_limits<double>::infinity(), image.center, false};
+  return follow(x, image.center, faces, passages);
+}
+
+Pull ShortestPathCoupling::pull(Vec3d x, Vec3d anchor) const {
+  Pull total;
+  Row row;
+  Passages passages;
+  for (const Image& image : images_) {
+    const FaceRow faces = faces_of(image, row);
+    if (!decide(image, anchor, faces, passages)) continue;
+    const Way way = follow(x, image.center, faces, passages);
+    const Vec3d ahead = way.towards - x;
+    const double near2 = dot(ahead, ahead), square = way.length * way.length + image.core2;
+    // Exactly at a mass or on a rim there is no direction.
+    if (!(near2 > 0.0) || !(square > 0.0)) continue;
+    const double inverse2 = 1.0 / square, near = std::sqrt(near2);
+    const double strength = image.gm * inverse2 * std::sqrt(inverse2);
+    total.acceleration += ahead * (strength * way.length / near);
+    // Beside a rim the direction turns within the distance to it. Not resolved closer than a
+    // thousandth of the way: what that leaves out is as small a share of the pull.
+    const double scale2 = way.straight ? square : std::max(near2, 1e-6 * square);
+    const double scale_inverse2 = 1.0 / scale2;
+    total.stiffness += image.gm * inverse2 * scale_inverse2 * std::sqrt(scale_inverse2);
+    total.nearness += scale_inverse2 * scale_inverse2;
+  }
+  return total;
+}
+
+std::uint64_t ShortestPathCoupling::signature(Vec3d x) const {
+  std::uint64_t total = 0;
+  Row row;
+  Passages passages;
+  for (std::size_t i = 0; i < images_.size(); ++i) {
+    const FaceRow faces = faces_of(images_[i], row);
+    if (!decide(images_[i], x, faces, passages)) continue;
+    std::uint64_t way = mix_decision(0, i);
+    for (std::size_t k = 0; k < faces.size(); ++k) way = mix_decision(way, passages[k].code());
+    total += way;
+  }
+  return total;
+}
+
+double ShortestPathCoupling::quiet(Vec3d x) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t a = 0; a < faces_.size(); ++a)
+    if (entrances_[a].reach > 0.0)
+      least = std::min(least, std::max(0.0, faces_[a].distance(x) - entrances_[a].reach));
+  return least;
+}
+
+}  // namespace portalens

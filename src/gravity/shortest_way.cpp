@@ -1,0 +1,204 @@
+#include "gravity/shortest_way.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace portalens {
+
+namespace {
+
+/// Lengths of ways over the insides of edges that differ by less than this share are a tie.
+constexpr double tie = 1e-13;
+
+/// Where, as a share of its length, the segment from a to b crosses the face from front to back;
+/// negative if it doesn't. Ends are given in the face's coordinates.
+double straight_through(const PortalFace& face, Vec3d a, Vec3d b) {
+  if (a.z < -face.height_tolerance() || b.z > face.height_tolerance()) return -1.0;
+  const double above = std::max(a.z, 0.0), below = std::max(-b.z, 0.0);
+  const double t = above > 0.0 ? above / (above + below) : 0.0;
+  const bool crosses = face.covers(a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t);
+  return crosses ? t : -1.0;
+}
+
+Passage rim_passage(const PortalFace& face, std::uint32_t edge, double place) {
+  const auto count = static_cast<std::uint32_t>(face.edges().size());
+  if (place <= 0.0) return {Passage::Kind::vertex, edge};
+  if (place >= face.edges()[edge].length) return {Passage::Kind::vertex, (edge + 1) % count};
+  return {Passage::Kind::edge, edge};
+}
+
+/// One face: straight, or the best of its edges, each turned flat.
+bool shortest_by_one(Vec3d from, Vec3d to, const PortalFace& face, double limit, Passage& out) {
+  const Vec3d a = face.frame().to_local(from), b = face.frame().to_local(to);
+  if (straight_through(face, a, b) >= 0.0) {
+    out = straight_passage;
+    const Vec3d apart = b - a;
+    return dot(apart, apart) < limit * limit;
+  }
+  double best = limit;
+  bool found = false;
+  for (std::uint32_t i = 0; i < face.edges().size(); ++i) {
+    const FaceEdge& edge = face.edges()[i];
+    const double along_a = edge.along(a.x, a.y), along_b = edge.along(b.x, b.y);
+    const double outside_a = edge.outside(a.x, a.y), outside_b = edge.outside(b.x, b.y);
+    const double square_a = outside_a * outside_a + a.z * a.z;
+    const double square_b = outside_b * outside_b + b.z * b.z;
+    const double off_a = std::sqrt(square_a), off_b = std::sqrt(square_b);
+    const double off = off_a + off_b;
+    const double free = off > 0.0 ? (along_a * off_b + along_b * off_a) / off : along_a;
+    const double place = std::clamp(free, 0.0, edge.length);
+    const double to_a = place - along_a, to_b = place - along_b;
+    const double way = std::sqrt(square_a + to_a * to_a) + std::sqrt(square_b + to_b * to_b);
+    const Passage passage = rim_passage(face, i, place);
+    const bool between_insides =
+        found && passage.kind == Passage::Kind::edge && out.kind == Passage::Kind::edge;
+    if (!(way < best * (between_insides ? 1.0 - tie : 1.0))) continue;
+    best = way;
+    out = passage;
+    found = true;
+  }
+  return found;
+}
+
+/// Branch and bound over which faces are passed by which edges.
+class Search {
+ public:
+  Search(Vec3d from, Vec3d to, FaceRow faces, double limit, Passages& best)
+      : faces_(faces), limit_(limit), best_(best) {
+    way_.from = from;
+    way_.to = to;
+    choice_.fill(open);
+  }
+
+  [[nodiscard]] bool run() {
+    explore();
+    return found_;
+  }
+
+ private:
+  static constexpr std::int32_t open = -1;      ///< nothing is asked of the face yet
+  static constexpr std::int32_t straight = -2;  ///< it must be passed straight in the end
+
+  /// What stands against the way as it is: a face to decide next, or none.
+  struct Verdict {
+    bool legal = true;
+    std::size_t next = max_chain;
+  };
+
+  void explore() {
+    const double length = relax();
+    if (!(length < limit_) || (found_ && length > best_length_ * (1.0 + tie))) return;
+    const Verdict verdict = judge();
+    if (verdict.legal) {
+      keep(length);
+      return;
+    }
+    if (verdict.next == max_chain) return;
+    const std::size_t i = verdict.next;
+    for (std::uint32_t edge = 0; edge < faces_[i]->edges().size(); ++edge) {
+      choice_[i] = static_cast<std::int32_t>(edge);
+      explore();
+    }
+    choice_[i] = straight;
+    if (std::find(choice_.begin(), choice_.begin() + faces_.size(), open) !=
+        choice_.begin() + static_cast<std::ptrdiff_t>(faces_.size()))
+      explore();
+    choice_[i] = open;
+  }
+
+  /// The shortest way over the chosen edges that ignores all other faces.
+  double relax() {
+    way_.count = 0;
+    for (std::size_t i = 0; i < faces_.size(); ++i) {
+      if (choice_[i] < 0) continue;
+      const FaceEdge& edge = faces_[i]->edges()[static_cast<std::size_t>(choice_[i])];
+      way_.slides[way_.count] = {edge.start, edge.direction, 0.0, edge.length};
+      way_.places[way_.count] = 0.5 * edge.length;
+      ++way_.count;
+    }
+    return shorten(way_);
+  }
+
+  /// Whether the way runs straight through all the faces that it has no edge of; if not, the face
+  /// to branch on: one that it misses, else, if a face that must be passed straight is missed,
+  /// any that is open.
+  [[nodiscard]] Verdict judge() const {
+    Verdict verdict;
+    std::size_t bend = 0, missed_open = max_chain, any_open = max_chain;
+    Vec3d last = way_.from, next = bend < way_.count ? way_.point(bend) : way_.to;
+    double reached = 0.0;
+    for (std::size_t i = 0; i < faces_.size(); ++i) {
+      if (choice_[i] >= 0) {
+        last = next;
+        ++bend;
+        next = bend < way_.count ? way_.point(bend) : way_.to;
+        reached = 0.0;
+        continue;
+      }
+      const Frame& frame = faces_[i]->frame();
+      const double t = straight_through(*faces_[i], frame.to_local(last), frame.to_local(next));
+      const bool passed = t >= reached - 1e-12;
+      if (passed) reached = std::max(reached, t);
+      if (!passed) verdict.legal = false;
+      if (choice_[i] == open) any_open = i;
+      if (choice_[i] == open && !passed && missed_open == max_chain) missed_open = i;
+    }
+    verdict.next = missed_open < max_chain ? missed_open : any_open;
+    return verdict;
+  }
+
+  void keep(double length) {
+    Passages passages;
+    bool insides = true;
+    std::size_t bend = 0;
+    for (std::size_t i = 0; i < faces_.size(); ++i) {
+      passages[i] = straight_passage;
+      if (choice_[i] < 0) continue;
+      passages[i] =
+          rim_passage(*faces_[i], static_cast<std::uint32_t>(choice_[i]), way_.places[bend++]);
+      insides = insides && passages[i].kind == Passage::Kind::edge;
+    }
+    const double margin = insides && best_insides_ ? tie * best_length_ : 0.0;
+    if (found_ && !(length < best_length_ - margin)) return;
+    std::copy(passages.begin(), passages.begin() + faces_.size(), best_.begin());
+    best_length_ = length;
+    best_insides_ = insides;
+    found_ = true;
+  }
+
+  FaceRow faces_;
+  double limit_;
+  Passages& best_;
+  double best_length_ = std::numeric_limits<double>::infinity();
+  bool best_insides_ = false, found_ = false;
+  std::array<std::int32_t, max_chain> choice_;
+  Polyline way_;
+};
+
+}  // namespace
+
+bool shortest_passages(Vec3d from, Vec3d to, FaceRow faces, double limit, Passages& out) {
+  if (faces.size() == 1) return shortest_by_one(from, to, *faces[0], limit, out[0]);
+  return Search(from, to, faces, limit, out).run();
+}
+
+Way follow(Vec3d from, Vec3d to, FaceRow faces, const Passages& passages) {
+  Polyline way;
+  way.from = from;
+  way.to = to;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    if (passages[i].kind == Passage::Kind::straight) continue;
+    const FaceEdge& edge = faces[i]->edges()[passages[i].index];
+    const bool fixed = passages[i].kind == Passage::Kind::vertex;
+    way.slides[way.count] = {edge.start, edge.direction, fixed ? 0.0 : -infinity,
+                             fixed ? 0.0 : infinity};
+    way.places[way.count] = fixed ? 0.0 : 0.5 * edge.length;
+    ++way.count;
+  }
+  const double length = shorten(way);
+  return {length, way.count > 0 ? way.point(0) : to, way.count == 0};
+}
+
+}  // namespace portalens

@@ -1,0 +1,56 @@
+/// \file
+/// The shortest way from a point to another through a row of faces, unfolded: physics.md, sec. 5.
+///
+/// A way crosses the inside of a face only straight and from front to back; else it bends on the
+/// face's rim. For one face the best point of an edge has a closed form (`best_place`). For several
+/// the length is convex in the places along given edges, and which edges is found by branch and
+/// bound: a face that is left out can only make the way shorter.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "gravity/polyline.h"
+#include "gravity/portal_face.h"
+
+namespace portalens {
+
+/// The faces of a chain, in the order of passing.
+using FaceRow = std::span<const PortalFace* const>;
+
+/// How a way passes one face: straight through its inside, or by a feature of its rim.
+struct Passage {
+  enum class Kind : std::uint8_t { straight, edge, vertex };
+  Kind kind;
+  std::uint32_t index;
+
+  [[nodiscard]] std::uint64_t code() const {
+    return static_cast<std::uint64_t>(index) * 4 + static_cast<std::uint64_t>(kind);
+  }
+};
+inline constexpr Passage straight_passage{Passage::Kind::straight, 0};
+
+/// The discrete part of a way: one entry a face.
+using Passages = std::array<Passage, max_chain>;
+
+/// The continuous part.
+struct Way {
+  double length = 0.0;
+  Vec3d towards;         ///< the first point where it bends, or its end
+  bool straight = true;  ///< it bends nowhere
+};
+
+/// Finds the passages of the shortest way, if it is shorter than `limit`. Between edges that are
+/// equally good the lower index wins.
+/// @param from  at height 0 over a face it counts as in front
+/// @param to    at height 0 it counts as behind
+/// @pre 1 to `max_chain` faces
+/// @return whether there is such a way
+[[nodiscard]] bool shortest_passages(Vec3d from, Vec3d to, FaceRow faces, double limit,
+                                     Passages& out);
+
+/// The way with these passages, an edge counting as its whole line: smooth in `from`.
+[[nodiscard]] Way follow(Vec3d from, Vec3d to, FaceRow faces, const Passages& passages);
+
+}  // namespace portalens
