@@ -32,7 +32,7 @@ ShapeLight::ShapeLight(std::string its_name, Shape its_shape, Rgb its_emitted)
 
 LightSample ShapeLight::sample(double u1, double u2) const {
   const SurfacePoint point = std::visit([&](const auto& s) { return s.sample(u1, u2); }, shape);
-  return {point.position, point.normal, emitted * area, Shining::both_sides};
+  return {point.position, point.geometric_normal, emitted * area, Shining::both_sides};
 }
 
 TriangleLight::TriangleLight(std::string name, std::vector<Triangle> triangles, Shining shining)

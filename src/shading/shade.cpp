@@ -76,7 +76,7 @@ class Shader {
     const std::uint64_t key = combined(photon_.random_key, mirror_purpose);
     const auto reflection = reflect(arrival_.direction, point.normal, material.roughness,
                                     random_number(key, 0), random_number(key, 1));
-    if (!reflection || !is_finite(reflection->direction)) return;
+    if (!reflection || !(dot(reflection->direction, point.outward) > 0.0)) return;
     Photon offspring;
     offspring.position = point.position;
     offspring.direction = reflection->direction;
@@ -125,6 +125,7 @@ class Shader {
   }
 
   void ask(const ShadingPoint& point, const LightSample& sample, Rgb share, std::uint32_t portal) {
+    if (!(dot(sample.position - point.position, point.outward) > 0.0)) return;
     const Rgb light = share * irradiance(sample, point.position, point.normal);
     if (!is_finite(light) || light == Rgb{}) return;
     ShadowQuery query;

@@ -26,6 +26,7 @@ SurfacePoint on_back(const Portal& portal, Vec3d x) {
   SurfacePoint point;
   point.position = x;
   point.normal = portal.frame.normal;
+  point.geometric_normal = portal.frame.normal;
   point.u = (local.x - low.x) / (high.x - low.x);
   point.v = (local.y - low.y) / (high.y - low.y);
   point.flat = true;
@@ -38,7 +39,7 @@ ShadingPoint point_on_back(const Portal& portal, const Arrival& arrival) {
   ShadingPoint point;
   point.surface = on_back(portal, arrival.position);
   point.material = *portal.back_material;
-  point.normal = -portal.frame.normal;
+  point.normal = point.outward = -portal.frame.normal;
   const double height = dot(arrival.position - portal.frame.origin, portal.frame.normal);
   point.position =
       arrival.position - portal.frame.normal * (height + behind_portal * portal.longest_edge);
@@ -49,7 +50,7 @@ ShadingPoint point_on_back(const Portal& portal, const Arrival& arrival) {
 
 Departure ShadingPoint::leaving(Vec3d direction) const {
   if (shape == no_object) return {};
-  return {shape, face, dot(direction, surface.normal) < 0.0 ? -1.0 : 1.0, reach};
+  return {shape, face, dot(direction, surface.geometric_normal) < 0.0 ? -1.0 : 1.0, reach};
 }
 
 ShadingPoint shading_point(const Space& space, const Appearance& appearance,
@@ -59,8 +60,12 @@ ShadingPoint shading_point(const Space& space, const Appearance& appearance,
   ShadingPoint point;
   point.surface = space.surfaces.surface_at(arrival.object, arrival.face, arrival.position);
   point.position = arrival.position;
-  const bool behind = dot(arrival.direction, point.surface.normal) > 0.0;
-  point.normal = behind ? -point.surface.normal : point.surface.normal;
+  const SurfacePoint& surface = point.surface;
+  const bool behind = dot(arrival.direction, surface.geometric_normal) > 0.0;
+  point.outward = behind ? -surface.geometric_normal : surface.geometric_normal;
+  point.normal = behind ? -surface.normal : surface.normal;
+  // At the edge of its silhouette a mesh may be seen where its smooth normal looks away.
+  if (dot(arrival.direction, point.normal) >= 0.0) point.normal = point.outward;
   point.material = appearance.bodies[arrival.object].material_of(arrival.face);
   point.shape = arrival.object;
   point.face = arrival.face;

@@ -14,7 +14,8 @@ namespace portalens {
 struct ShadingPoint {
   SurfacePoint surface;  ///< for its texture
   Vec3d position;        ///< where rays start
-  Vec3d normal;          ///< unit, on the viewer's side
+  Vec3d normal;          ///< unit; like the next one on the viewer's side
+  Vec3d outward;         ///< unit; of the surface itself, where a mesh interpolates `normal`
   std::uint32_t material = 0;
   std::uint32_t shape = no_object;  ///< none for a portal's back
   std::uint32_t face = 0;

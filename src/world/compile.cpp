@@ -1,0 +1,135 @@
+#include "world/compile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "world/image_store.h"
+#include "world/light_list.h"
+#include "world/mesh_store.h"
+#include "world/names.h"
+#include "world/object_reader.h"
+#include "world/warnings.h"
+
+namespace portalens {
+namespace {
+
+constexpr std::int64_t most_crossings = 10'000;
+constexpr std::int64_t most_pixels_along = 65'536;
+constexpr std::int64_t most_pixels = std::int64_t{1} << 28;
+constexpr std::int64_t most_samples = 1'000'000;
+
+/// Chains of portals that a coupling may have to follow for one photon's step.
+constexpr double most_chains = 1e5;
+constexpr double most_graviton_nodes = 5e7;
+
+Film film_from(Parameters& parameters) {
+  Film film;
+  film.width = static_cast<int>(parameters.integer("width", 1, most_pixels_along, film.width));
+  film.height = static_cast<int>(parameters.integer("height", 1, most_pixels_along, film.height));
+  if (std::int64_t{film.width} * film.height > most_pixels)
+    parameters.fault("width", "the film has more than 268 million pixels",
+                     "give a smaller width or height");
+  return film;
+}
+
+Sampling sampling_from(Parameters& parameters) {
+  Sampling sampling;
+  sampling.samples = parameters.integer("samples", 1, most_samples, sampling.samples);
+  sampling.seed =
+      parameters.integer("seed", 0, std::numeric_limits<std::int64_t>::max(), sampling.seed);
+  return sampling;
+}
+
+/// Reads one section with a function of its parameters, and refuses what it did not ask for.
+template <class Read>
+auto read_section(const Table& table, Faults& faults, const Read& read) {
+  Parameters parameters(table, faults);
+  auto result = read(parameters);
+  parameters.finish();
+  return result;
+}
+
+/// Gravity through portals needs finite reaches, and so many chains that a step ends some day.
+/// physics.md, sec. 5.
+void check_portal_gravity(const Scene& scene, const Physics& physics, std::size_t portals,
+                          Faults& faults) {
+  if (portals == 0 || physics.portal_gravity == "none" || physics.portal_gravity_depth == 0) return;
+  Parameters parameters(scene.physics, faults);
+  if (physics.min_force == 0.0)
+    parameters.fault("min_force",
+                     "with min_force 0 every reach is infinite, and portal gravity '" +
+                         physics.portal_gravity + "' never lets a photon go",
+                     "give a min_force above 0, or portal_gravity = \"none\"");
+  if (physics.portal_gravity == "portal-mass") return;
+  const double count = static_cast<double>(portals);
+  const double chains = count * std::pow(std::max(1.0, count - 1.0),
+                                         static_cast<double>(physics.portal_gravity_depth - 1));
+  if (chains > most_chains)
+    parameters.fault("portal_gravity_depth", "this depth makes more than 100,000 chains of portals",
+                     "give a smaller portal_gravity_depth");
+  const double side = static_cast<double>(physics.graviton_resolution);
+  if (physics.portal_gravity == "graviton-map" && count * side * side > most_graviton_nodes)
+    parameters.fault("graviton_resolution", "the graviton maps have more than 50 million nodes",
+                     "give a smaller graviton_resolution");
+}
+
+/// What a camera without a place of its own has to see.
+Box extent_of(const Objects& objects) {
+  Box box;
+  for (const Shape& shape : objects.shapes)
+    box.add(std::visit([](const auto& s) { return s.bounds(); }, shape));
+  for (const Portal& portal : objects.portals)
+    for (const Vec3d& vertex : portal.vertices) box.add(vertex);
+  for (const Mass& mass : objects.masses) {
+    const double reach = mass.horizon ? mass.schwarzschild : mass.core;
+    box.add(mass.center - Vec3d{reach, reach, reach});
+    box.add(mass.center + Vec3d{reach, reach, reach});
+  }
+  return box;
+}
+
+}  // namespace
+
+World compile(const Scene& scene, const CompileOptions& options) {
+  Faults faults;
+  Names names;
+  ImageStore images(options.files, faults);
+  const ImageLoader load = images.loader(scene.file);
+
+  const Physics physics = read_section(scene.physics, faults, Physics::from);
+  const Film film = read_section(scene.film, faults, film_from);
+  const Sampling sampling = read_section(scene.sampler, faults, sampling_from);
+  Appearance look;
+  std::uint32_t max_crossings = 16;
+  look.limits = read_section(scene.shading, faults, [&](Parameters& parameters) {
+    max_crossings = static_cast<std::uint32_t>(
+        parameters.integer("max_crossings", 0, most_crossings, max_crossings));
+    return ShadingLimits::from(parameters);
+  });
+  look.environment = read_section(scene.environment, faults, [&](Parameters& parameters) {
+    return Environment::from(parameters, load);
+  });
+
+  MaterialList materials(scene.materials, names, load, faults);
+  MeshStore meshes(scene.file, options.files, images, materials, faults);
+  look.lights = read_lights(scene.lights, names, faults);
+  Objects objects = read_objects(scene, {physics, names, materials, meshes}, faults);
+  check_portal_gravity(scene, physics, objects.portals.size(), faults);
+  const Camera camera = read_section(scene.camera, faults, [&](Parameters& parameters) {
+    return Camera::from(parameters,
+                        scene.has_camera ? std::nullopt : std::optional<Box>(extent_of(objects)));
+  });
+  faults.raise();
+
+  look.materials = std::move(materials).take();
+  for (Light& light : emitters(objects, look.materials)) look.lights.push_back(std::move(light));
+  look.bodies = std::move(objects.bodies);
+  Space space(physics, max_crossings, std::move(objects.shapes), std::move(objects.portals),
+              std::move(objects.masses));
+  World world{scene.file, std::move(space), std::move(look), camera, film, sampling, {}};
+  world.warnings = warnings_about(world);
+  return world;
+}
+
+}  // namespace portalens

@@ -1,0 +1,32 @@
+/// \file
+/// The images of a scene, each read once, within a budget of memory.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+
+#include "io/paths.h"
+#include "shading/texture.h"
+
+namespace portalens {
+
+class ImageStore {
+ public:
+  ImageStore(Containment containment, Faults& faults)
+      : containment_(containment), faults_(&faults) {}
+
+  /// A loader for the images that `file` names. Borrows the store.
+  [[nodiscard]] ImageLoader loader(const std::filesystem::path& file);
+
+ private:
+  std::shared_ptr<const Image> load(const std::filesystem::path& file, const std::string& name,
+                                    const Location& asked_at);
+
+  Containment containment_;
+  Faults* faults_;
+  std::map<std::filesystem::path, std::shared_ptr<const Image>> images_;
+  std::size_t bytes_ = 0;
+};
+
+}  // namespace portalens

@@ -1,0 +1,21 @@
+/// \file
+/// Everything in a scene that gives light.
+#pragma once
+
+#include <vector>
+
+#include "scene/scene.h"
+#include "shading/light.h"
+#include "world/object_reader.h"
+
+namespace portalens {
+
+/// The `[[light]]` tables.
+[[nodiscard]] std::vector<Light> read_lights(const std::vector<Table>& tables, Names& names,
+                                             Faults& faults);
+
+/// A light for each body and each portal's back that emits, in their order.
+[[nodiscard]] std::vector<Light> emitters(const Objects& objects,
+                                          const std::vector<Material>& materials);
+
+}  // namespace portalens

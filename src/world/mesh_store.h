@@ -1,0 +1,58 @@
+/// \file
+/// The meshes of a scene: each file read once, and all of them within a budget.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/mesh.h"
+#include "io/paths.h"
+#include "io/read_mesh.h"
+#include "world/image_store.h"
+#include "world/material_list.h"
+
+namespace portalens {
+
+/// A mesh in its place, and the first of its file's own materials if it brings any.
+struct LoadedMesh {
+  Mesh mesh;
+  std::optional<std::uint32_t> first_material;
+};
+
+class MeshStore {
+ public:
+  /// @param scene_file  which the meshes' names are relative to
+  MeshStore(std::filesystem::path scene_file, Containment containment, ImageStore& images,
+            MaterialList& materials, Faults& faults)
+      : scene_file_(std::move(scene_file)),
+        containment_(containment),
+        images_(&images),
+        materials_(&materials),
+        faults_(&faults) {}
+
+  /// The mesh with the triangles of its file; nothing after a fault.
+  [[nodiscard]] std::optional<LoadedMesh> load(const Mesh& mesh, const Location& asked_at);
+
+ private:
+  struct Stored {
+    MeshFile file;
+    std::optional<std::uint32_t> first_material;
+  };
+
+  [[nodiscard]] const Stored& stored(const std::filesystem::path& path, const Location& asked_at);
+  [[nodiscard]] std::optional<std::uint32_t> add_materials(const std::filesystem::path& path,
+                                                           const std::vector<Table>& tables);
+
+  std::filesystem::path scene_file_;
+  Containment containment_;
+  ImageStore* images_;
+  MaterialList* materials_;
+  Faults* faults_;
+  std::map<std::filesystem::path, Stored> files_;
+  std::size_t triangles_ = 0;
+};
+
+}  // namespace portalens

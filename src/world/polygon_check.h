@@ -1,0 +1,26 @@
+/// \file
+/// Whether a list of vertices is the convex planar polygon that a portal must be.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "math/vec3.h"
+
+namespace portalens {
+
+struct PolygonFault {
+  std::string problem, remedy;
+};
+
+/// @pre at least 3 vertices
+/// @return what is wrong with the polygon, if anything is; "vertices ..."
+[[nodiscard]] std::optional<PolygonFault> polygon_fault(const std::vector<Vec3d>& vertices);
+
+[[nodiscard]] double longest_edge(const std::vector<Vec3d>& vertices);
+
+/// `[x, y, z] [x, y, z] ...`
+[[nodiscard]] std::string written(const std::vector<Vec3d>& vertices);
+
+}  // namespace portalens

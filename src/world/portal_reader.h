@@ -1,0 +1,42 @@
+/// \file
+/// Reading `[[portal]]` tables, and joining them in pairs. physics.md, sec. 4.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "portal/portal.h"
+#include "world/mass_reader.h"
+#include "world/material_list.h"
+
+namespace portalens {
+
+/// Reads the portals of a scene one by one, then joins them.
+class PortalReader {
+ public:
+  explicit PortalReader(Faults& faults) : faults_(&faults) {}
+
+  /// Reads all keys of a portal's table but `name`. A massive portal adds to `masses`.
+  void read(Parameters& parameters, const std::string& name, MaterialList& materials,
+            const Physics& physics, std::vector<Mass>& masses);
+
+  /// The portals, each with its pair and the motion through it. Whatever hinders that is a fault.
+  [[nodiscard]] std::vector<Portal> join();
+
+ private:
+  struct Read {
+    Portal portal;
+    std::string pair;
+    Location where, vertices, pair_where;
+    bool sound = false;  ///< its polygon is fit to be one
+  };
+
+  [[nodiscard]] std::optional<std::uint32_t> partner(std::uint32_t index) const;
+  void check_congruent(const Read& a, const Read& b) const;
+
+  Faults* faults_;
+  std::vector<Read> portals_;
+};
+
+}  // namespace portalens

@@ -1,0 +1,111 @@
+#include "world/warnings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/words.h"
+#include "world/portal_overlap.h"
+#include "world/world.h"
+
+namespace portalens {
+namespace {
+
+using Warnings = std::vector<std::string>;
+
+void about_camera(const World& world, Warnings& warnings) {
+  for (const Mass& mass : world.space.masses) {
+    const double distance = length(world.camera.position - mass.center);
+    if (mass.horizon && distance <= mass.schwarzschild) {
+      warnings.push_back(fmt::format("the camera lies within the horizon of {}: all is black",
+                                     portalens::quoted(mass.name)));
+    } else if (distance < mass.influence && std::isfinite(mass.influence)) {
+      warnings.push_back(fmt::format(
+          "the camera lies within the influence of {} (distance {:.4g}, radius {:.4g}): what lies "
+          "beyond that radius bends nothing",
+          portalens::quoted(mass.name), distance, mass.influence));
+    }
+  }
+}
+
+void about_materials(const World& world, Warnings& warnings) {
+  for (const Material& material : world.appearance.materials) {
+    const double most = max_component(brightest(material.diffuse) + material.reflective);
+    if (most > 1.0)
+      warnings.push_back(fmt::format(
+          "material {} gives back more light than it gets: diffuse + reflective reaches {:.4g}",
+          portalens::quoted(material.name), most));
+  }
+}
+
+void about_masses(const World& world, Warnings& warnings) {
+  const std::vector<Mass>& masses = world.space.masses;
+  for (std::size_t i = 0; i < masses.size(); ++i) {
+    const Mass& a = masses[i];
+    if (!a.horizon && a.core == 0.0)
+      warnings.push_back(fmt::format(
+          "mass {} has neither a horizon nor a core: near its centre the pull has no bound",
+          portalens::quoted(a.name)));
+    if (!a.horizon) continue;
+    for (std::size_t j = 0; j < i; ++j) {
+      const Mass& b = masses[j];
+      if (b.horizon && length(a.center - b.center) < a.schwarzschild + b.schwarzschild)
+        warnings.push_back(fmt::format("the horizons of {} and {} overlap",
+                                       portalens::quoted(b.name), portalens::quoted(a.name)));
+    }
+  }
+}
+
+/// A surface that no photon can reach, since the horizon of its own mass lies around all of it.
+void about_hidden_bodies(const World& world, Warnings& warnings) {
+  for (std::size_t i = 0; i < world.appearance.bodies.size(); ++i) {
+    const Body& body = world.appearance.bodies[i];
+    if (!body.mass) continue;
+    const Mass& mass = world.space.masses[*body.mass];
+    const Box box =
+        std::visit([](const auto& s) { return s.bounds(); }, world.space.surfaces.shapes()[i]);
+    const auto reach = [](double low, double high, double center) {
+      return std::max(std::fabs(low - center), std::fabs(high - center));
+    };
+    const Vec3d farthest{reach(box.low.x, box.high.x, mass.center.x),
+                         reach(box.low.y, box.high.y, mass.center.y),
+                         reach(box.low.z, box.high.z, mass.center.z)};
+    if (mass.horizon && length(farthest) <= mass.schwarzschild)
+      warnings.push_back(fmt::format(
+          "the surface of {} lies within its own horizon (radius {:.4g}) and is never seen",
+          portalens::quoted(body.name), mass.schwarzschild));
+  }
+}
+
+void about_portals(const World& world, Warnings& warnings) {
+  const auto portals = world.space.portals.portals();
+  for (std::size_t i = 0; i < portals.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (portals_overlap(portals[j], portals[i]))
+        warnings.push_back(fmt::format(
+            "portals {} and {} lie in one plane and overlap: where they do, the first one counts",
+            portalens::quoted(portals[j].name), portalens::quoted(portals[i].name)));
+}
+
+void about_light(const World& world, Warnings& warnings) {
+  const Appearance& look = world.appearance;
+  const bool dark_sky = !look.environment.image && look.environment.color == Rgb{};
+  if (look.lights.empty() && dark_sky && look.limits.ambient == Rgb{})
+    warnings.push_back("nothing gives light: the picture will be black");
+}
+
+}  // namespace
+
+std::vector<std::string> warnings_about(const World& world) {
+  Warnings warnings;
+  about_camera(world, warnings);
+  about_materials(world, warnings);
+  about_masses(world, warnings);
+  about_hidden_bodies(world, warnings);
+  about_portals(world, warnings);
+  about_light(world, warnings);
+  return warnings;
+}
+
+}  // namespace portalens
