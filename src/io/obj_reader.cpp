@@ -1,10 +1,10 @@
 #include "io/obj_reader.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "core/words.h"
+#include "io/srgb.h"
 #include "io/vocabulary.h"
 
 namespace portalens {
@@ -21,11 +21,6 @@ bool ordinary_only(std::string_view word) {
   constexpr std::array<std::string_view, 8> words{"mtllib", "usemtl", "o", "g",
                                                   "vn",     "vp",     "l", "usemap"};
   return std::find(words.begin(), words.end(), word) != words.end();
-}
-
-/// IEC 61966-2-1.
-double linear_from_srgb(double value) {
-  return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
 }
 
 }  // namespace

@@ -1,0 +1,70 @@
+#include "io/image_bytes.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace portalens {
+namespace {
+
+std::size_t byte_at(std::string_view bytes, std::size_t at) {
+  return static_cast<unsigned char>(bytes[at]);
+}
+
+/// JFIF: markers `ff xx`, each with a big-endian length, until the scan begins.
+std::string bare_jpeg(std::string_view bytes) {
+  constexpr std::size_t start_of_scan = 0xda, first_application = 0xe0, adobe = 0xee,
+                        last_application = 0xef, comment = 0xfe;
+  std::string result(bytes.substr(0, 2));
+  std::size_t at = 2;
+  while (at + 4 <= bytes.size() && byte_at(bytes, at) == 0xff) {
+    const std::size_t marker = byte_at(bytes, at + 1);
+    if (marker == start_of_scan) break;
+    const std::size_t length = byte_at(bytes, at + 2) * 256 + byte_at(bytes, at + 3) + 2;
+    if (length < 4 || at + length > bytes.size()) break;
+    const bool describes =
+        marker == comment || (marker > first_application && marker <= last_application);
+    // Adobe's says how the colours are coded.
+    if (!describes || marker == adobe) result += bytes.substr(at, length);
+    at += length;
+  }
+  return result += bytes.substr(std::min(at, bytes.size()));
+}
+
+/// PNG: chunks of length, name, data, checksum. What a name in lower case begins can be left out.
+std::string bare_png(std::string_view bytes) {
+  constexpr std::size_t signature = 8;
+  std::string result(bytes.substr(0, signature));
+  std::size_t at = signature;
+  while (at + 12 <= bytes.size()) {
+    std::size_t length = 12;
+    for (std::size_t i = 0; i < 4; ++i) length += byte_at(bytes, at + i) << (24 - 8 * i);
+    if (at + length > bytes.size()) break;
+    const std::string_view name = bytes.substr(at + 4, 4);
+    const bool needed = name[0] >= 'A' && name[0] <= 'Z';
+    if (needed || name == "tRNS") result += bytes.substr(at, length);
+    at += length;
+  }
+  return result += bytes.substr(std::min(at, bytes.size()));
+}
+
+}  // namespace
+
+std::optional<ImageFormat> image_format(std::string_view bytes) {
+  const auto begins = [&](std::string_view magic) {
+    return bytes.substr(0, magic.size()) == magic;
+  };
+  if (begins("\x76\x2f\x31\x01")) return ImageFormat::exr;
+  if (begins("\x89PNG\r\n\x1a\n")) return ImageFormat::png;
+  if (begins("#?RADIANCE") || begins("#?RGBE")) return ImageFormat::hdr;
+  if (begins("\xff\xd8\xff")) return ImageFormat::jpeg;
+  return std::nullopt;
+}
+
+std::string without_descriptions(std::string bytes, ImageFormat format) {
+  if (format == ImageFormat::jpeg) return bare_jpeg(bytes);
+  if (format == ImageFormat::png) return bare_png(bytes);
+  return bytes;
+}
+
+}  // namespace portalens

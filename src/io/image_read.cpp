@@ -1,0 +1,149 @@
+// Pictures in, through OpenImageIO from memory: told by their first bytes, measured by their header
+// before anything is allocated, and checked for values that are not finite.
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <memory>
+#include <new>
+#include <utility>
+#include <vector>
+
+#include "io/files.h"
+#include "io/image.h"
+#include "io/image_bytes.h"
+#include "io/srgb.h"
+
+namespace portalens {
+namespace {
+
+constexpr std::uint64_t most_bytes = std::uint64_t{1} << 30;
+constexpr int most_side = 16384;
+constexpr std::int64_t most_pixels = std::int64_t{1} << 27;  // 16384 x 8192: 1.5 GiB of floats
+
+const char* name_of(ImageFormat format) {
+  switch (format) {
+    case ImageFormat::exr:
+      return "exr";
+    case ImageFormat::png:
+      return "png";
+    case ImageFormat::hdr:
+      return "hdr";
+    case ImageFormat::jpeg:
+      break;
+  }
+  return "jpeg";
+}
+
+/// Why a picture can't be used.
+struct Refusal {
+  std::string problem, remedy;
+};
+
+/// Which of a file's channels are red, green and blue; one three times over if it is gray.
+std::array<int, 3> color_channels(const OIIO::ImageSpec& spec) {
+  const std::array<int, 3> named{spec.channelindex("R"), spec.channelindex("G"),
+                                 spec.channelindex("B")};
+  if (named[0] >= 0 && named[1] >= 0 && named[2] >= 0) return named;
+  const int gray = std::max(0, spec.channelindex("Y"));
+  if (spec.nchannels < 3) return {gray, gray, gray};
+  return {0, 1, 2};
+}
+
+void check_header(const OIIO::ImageSpec& spec) {
+  const std::int64_t pixels = std::int64_t{spec.width} * spec.height;
+  if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1 || spec.deep) {
+    throw Refusal{"holds no flat picture", "save it as an ordinary picture"};
+  }
+  if (spec.width > most_side || spec.height > most_side || pixels > most_pixels) {
+    throw Refusal{"is " + std::to_string(spec.width) + " x " + std::to_string(spec.height),
+                  "a side has at most 16384 pixels, the whole at most 16384 x 8192"};
+  }
+}
+
+void read_channels(OIIO::ImageInput& input, int begin, int end, float* target) {
+  if (!input.read_image(0, 0, begin, end, OIIO::TypeDesc::FLOAT, target)) {
+    throw Refusal{"is broken: " + input.geterror(), "save it again"};
+  }
+}
+
+/// The three colour planes of an open picture.
+Image color_of(OIIO::ImageInput& input) {
+  const OIIO::ImageSpec spec = input.spec();
+  check_header(spec);
+  Image image(spec.width, spec.height, 3);
+  const std::array<int, 3> channels = color_channels(spec);
+  if (channels[1] == channels[0] + 1 && channels[2] == channels[0] + 2) {
+    read_channels(input, channels[0], channels[0] + 3, image.pixels.data());
+    return image;
+  }
+  std::vector<float> plane(image.pixels.size() / 3);
+  for (std::size_t c = 0; c < 3; ++c) {
+    if (c == 0 || channels[c] != channels[c - 1]) {
+      read_channels(input, channels[c], channels[c] + 1, plane.data());
+    }
+    for (std::size_t i = 0; i < plane.size(); ++i) image.pixels[3 * i + c] = plane[i];
+  }
+  return image;
+}
+
+void check_finite(const Image& image) {
+  const auto broken = std::find_if(image.pixels.begin(), image.pixels.end(),
+                                   [](float value) { return !std::isfinite(value); });
+  if (broken == image.pixels.end()) return;
+  const auto pixel = (broken - image.pixels.begin()) / 3;
+  throw Refusal{"is not finite at pixel (" + std::to_string(pixel % image.width) + ", " +
+                    std::to_string(pixel / image.width) + ")",
+                "give every pixel a number"};
+}
+
+Image decode(const std::string& bytes, ImageFormat format) {
+  OIIO::Filesystem::IOMemReader reader(bytes.data(), bytes.size());
+  const auto input = OIIO::ImageInput::create(name_of(format), false);
+  if (!input || !input->supports("ioproxy") || !input->set_ioproxy(&reader)) {
+    throw Refusal{"is of a kind this build can't read", "save it as EXR or PNG"};
+  }
+  input->threads(1);
+  OIIO::ImageSpec wishes, spec;
+  wishes.attribute("oiio:UnassociatedAlpha", 1);
+  if (!input->open(name_of(format), spec, wishes)) {
+    throw Refusal{"is broken: " + input->geterror(), "save it again"};
+  }
+  Image image = color_of(*input);
+  check_finite(image);
+  if (format == ImageFormat::png || format == ImageFormat::jpeg) {
+    for (float& value : image.pixels) value = linear_from_srgb(value);
+  }
+  return image;
+}
+
+}  // namespace
+
+std::optional<Image> read_image(const std::filesystem::path& file, const Location& asked_at,
+                                Faults& faults) {
+  auto bytes = read_file(file, most_bytes, asked_at, faults);
+  if (!bytes) return std::nullopt;
+  const std::string name = "the picture " + file.filename().string() + " ";
+  const auto format = image_format(*bytes);
+  if (!format) {
+    faults.add(asked_at, name + "is of no known kind", "EXR, PNG, HDR and JPEG are read");
+    return std::nullopt;
+  }
+  try {
+    return decode(without_descriptions(std::move(*bytes), *format), *format);
+  } catch (const Refusal& refusal) {
+    faults.add(asked_at, name + refusal.problem, refusal.remedy);
+  } catch (const std::bad_alloc&) {
+    faults.add(asked_at, name + "needs more memory than there is", "use a smaller one");
+  } catch (const std::exception& error) {
+    faults.add(asked_at, name + "is broken: " + error.what(), "save it again");
+  }
+  return std::nullopt;
+}
+
+}  // namespace portalens
