@@ -28,14 +28,16 @@ struct SurfaceHit {
 struct Departure {
   std::uint32_t shape = no_object;
   std::uint32_t face = 0;
-  double side = 0.0;   ///< sign of (direction · normal) when it left
+  double side = 0.0;   ///< sign of (direction · geometric normal) when it left
   double reach = 0.0;  ///< length of path, from the start of the ray, within which this holds
 };
 
-/// Immutable after construction, safe from any thread. Meshes are found by Embree in float, as
-/// candidates, and their hits computed again in double; the other shapes are exact in double.
+/// Immutable after construction, safe from any thread. Trees of boxes give the candidates, every
+/// answer is computed in double. At exactly equal distances the lower (shape, face) is the nearest.
+/// A ray that is not finite meets nothing.
 class Accelerator {
  public:
+  /// @throws WorkError if memory runs out
   explicit Accelerator(std::vector<Shape> shapes);
   ~Accelerator();
   Accelerator(Accelerator&&) noexcept;
@@ -44,7 +46,8 @@ class Accelerator {
   [[nodiscard]] const std::vector<Shape>& shapes() const;
   [[nodiscard]] const Box& bounds() const;
 
-  /// The nearest contact at low <= distance <= high.
+  /// The nearest contact at low <= distance <= high. Within rounding of the start the departure
+  /// holds for the other faces of its shape too: a path may start on an edge.
   [[nodiscard]] std::optional<SurfaceHit> nearest(const Ray& ray, double low, double high,
                                                   const Departure& departure = {}) const;
   /// Whether anything lies at low <= distance <= high.
@@ -56,7 +59,8 @@ class Accelerator {
   [[nodiscard]] bool near(const Segment& segment, double radius) const;
 
   /// The contact of this shape nearest to distance 0 with |distance| <= `reach`, either way along
-  /// the ray, or nothing. For polishing a hit that is known to be close.
+  /// the ray, or nothing. For polishing a hit that is known to be close; of a mesh, `face` is tried
+  /// before the other triangles.
   [[nodiscard]] std::optional<Contact> contact_near(std::uint32_t shape, std::uint32_t face,
                                                     const Ray& ray, double reach) const;
   [[nodiscard]] SurfacePoint surface_at(std::uint32_t shape, std::uint32_t face, Vec3d x) const;

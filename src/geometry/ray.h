@@ -38,6 +38,11 @@ struct Box {
   [[nodiscard]] bool empty() const { return !(low.x <= high.x); }
   [[nodiscard]] Vec3d middle() const { return (low + high) * 0.5; }
   [[nodiscard]] double diagonal() const { return empty() ? 0.0 : length(high - low); }
+  /// The same box, larger by `margin` on each side.
+  [[nodiscard]] Box grown(double margin) const {
+    const Vec3d m{margin, margin, margin};
+    return {low - m, high + m};
+  }
   /// Distance from `p`; 0 inside.
   [[nodiscard]] double distance(Vec3d p) const {
     return length(Vec3d{std::max({low.x - p.x, 0.0, p.x - high.x}),
@@ -56,9 +61,10 @@ struct Contact {
 /// A point of a surface, with what shading needs to know of it.
 struct SurfacePoint {
   Vec3d position;
-  Vec3d normal;         ///< unit, outward for closed shapes, towards the front for flat ones
-  double u = 0, v = 0;  ///< texture coordinates
-  bool flat = false;    ///< checkers go by lengths along the face, not by u and v
+  Vec3d normal;            ///< unit, outward for closed shapes, towards the front for flat ones
+  Vec3d geometric_normal;  ///< tells sides; `normal` differs where a mesh interpolates it
+  double u = 0, v = 0;     ///< texture coordinates
+  bool flat = false;       ///< checkers go by lengths along the face, not by u and v
   double along = 0, across = 0;  ///< those lengths, from the first vertex; only if `flat`
 };
 

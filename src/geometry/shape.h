@@ -13,7 +13,9 @@
 ///   Vec3d center_of_mass() const;                      physics.md, section 2
 ///   double area() const;
 ///   SurfacePoint sample(double u1, double u2) const;   uniform by area
-/// and is immutable. `Mesh` leaves intersection and clearance to the accelerator.
+/// and is immutable. A contact doesn't depend, to the bit, on `low` and `high`, which only select:
+/// so asking again with `low` just beyond a contact gives the next one. `Mesh` tries its triangles
+/// one by one; the accelerator finds the few that matter.
 #pragma once
 
 #include <variant>

@@ -1,0 +1,256 @@
+#include "geometry/accelerator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+#include "geometry/box_tree.h"
+#include "geometry/polygon.h"
+#include "geometry/slab.h"
+
+namespace portalens {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+/// Up to so many shapes other than meshes are tried one by one, each behind its box.
+constexpr std::size_t few = 16;
+
+bool comes_before(const SurfaceHit& a, const SurfaceHit& b) {
+  return std::tie(a.distance, a.shape, a.face) < std::tie(b.distance, b.shape, b.face);
+}
+
+struct MeshTree {
+  std::uint32_t shape;
+  const Mesh* mesh;
+  BoxTree tree;
+};
+
+/// A query under way: what is asked for, and the best found so far.
+struct Search {
+  const Ray& ray;
+  double low, high;
+  const Departure& departure;
+  std::optional<SurfaceHit> best;
+
+  /// Takes the hit if it is the nearest so far; then only nearer ones matter.
+  void offer(const SurfaceHit& hit) {
+    if (!best || comes_before(hit, *best)) best = hit, high = hit.distance;
+  }
+};
+
+}  // namespace
+
+struct Accelerator::Implementation {
+  std::vector<Shape> shapes;
+  std::vector<Box> boxes;  ///< of each shape, a little grown
+  Box bounds;
+  std::vector<std::uint32_t> plain;  ///< the shapes that are no meshes
+  std::vector<MeshTree> meshes;
+  std::optional<BoxTree> plain_tree;  ///< over `plain`, if they are many
+
+  explicit Implementation(std::vector<Shape> all);
+
+  [[nodiscard]] SurfacePoint surface_at(std::uint32_t shape, std::uint32_t face, Vec3d x) const {
+    return std::visit([&](const auto& s) { return s.surface_at(x, face); }, shapes[shape]);
+  }
+  [[nodiscard]] std::optional<Contact> intersect(std::uint32_t shape, const Ray& ray, double low,
+                                                 double high) const {
+    return std::visit([&](const auto& s) { return s.intersect(ray, low, high); }, shapes[shape]);
+  }
+  [[nodiscard]] double clearance(std::uint32_t shape, const Segment& segment) const {
+    return std::visit([&](const auto& s) { return s.clearance(segment); }, shapes[shape]);
+  }
+  /// Whether this is the surface that the path has just left.
+  [[nodiscard]] bool left_behind(const Search& search, const SurfaceHit& hit) const;
+  void try_plain(Search& search, std::uint32_t shape) const;
+  void try_mesh(Search& search, const MeshTree& mesh) const;
+  [[nodiscard]] std::optional<SurfaceHit> run(Search search) const;
+};
+
+Accelerator::Implementation::Implementation(std::vector<Shape> all) : shapes(std::move(all)) {
+  std::optional<TreeBuilder> builder;
+  const auto tree = [&](std::size_t count, const auto& box_of) {
+    if (!builder) builder.emplace();
+    return BoxTree(*builder, static_cast<std::uint32_t>(count), box_of);
+  };
+  for (std::uint32_t i = 0; i < shapes.size(); ++i) {
+    const Box box = std::visit([](const auto& s) { return s.bounds(); }, shapes[i]);
+    bounds.add(box);
+    boxes.push_back(box.grown(1e-9 * (box.diagonal() + length(box.middle()))));
+    const auto* mesh = std::get_if<Mesh>(&shapes[i]);
+    if (!mesh) {
+      plain.push_back(i);
+    } else if (mesh->triangle_count() > 0) {
+      const auto box_of = [mesh](std::uint32_t face) {
+        Box triangle;
+        for (const Vec3d& corner : mesh->triangle(face)) triangle.add(corner);
+        return triangle;
+      };
+      meshes.push_back({i, mesh, tree(mesh->triangle_count(), box_of)});
+    }
+  }
+  if (plain.size() > few)
+    plain_tree.emplace(
+        tree(plain.size(), [this](std::uint32_t item) { return boxes[plain[item]]; }));
+}
+
+bool Accelerator::Implementation::left_behind(const Search& search, const SurfaceHit& hit) const {
+  const Departure& departure = search.departure;
+  if (hit.shape != departure.shape || !(hit.distance <= departure.reach)) return false;
+  if (hit.face != departure.face) {
+    const Box& box = boxes[hit.shape];
+    const double rounding = 1e-12 * (box.diagonal() + length(box.middle()));
+    if (!(hit.distance <= rounding)) return false;
+  }
+  const Vec3d normal =
+      surface_at(hit.shape, hit.face, search.ray.at(hit.distance)).geometric_normal;
+  return dot(search.ray.direction, normal) * departure.side > 0.0;
+}
+
+void Accelerator::Implementation::try_plain(Search& search, std::uint32_t shape) const {
+  double low = search.low;
+  while (const auto contact = intersect(shape, search.ray, low, search.high)) {
+    const SurfaceHit hit{shape, contact->face, contact->distance};
+    if (!left_behind(search, hit)) return search.offer(hit);
+    low = std::nextafter(contact->distance, infinity);
+  }
+}
+
+void Accelerator::Implementation::try_mesh(Search& search, const MeshTree& mesh) const {
+  mesh.tree.along(search.ray, search.low, search.high, [&](std::uint32_t face) {
+    const auto distance = mesh.mesh->cross_triangle(face, search.ray);
+    if (distance && *distance >= search.low && *distance <= search.high) {
+      const SurfaceHit hit{mesh.shape, face, *distance};
+      if (!left_behind(search, hit)) search.offer(hit);
+    }
+    return search.high;
+  });
+}
+
+std::optional<SurfaceHit> Accelerator::Implementation::run(Search search) const {
+  if (!is_finite(search.ray.origin) || !is_finite(search.ray.direction)) return std::nullopt;
+  const Slab slab(search.ray);
+  const auto may_meet = [&](std::uint32_t shape) {
+    const auto [first, last] = slab.clip(boxes[shape], search.low, search.high);
+    return first <= last;
+  };
+  if (plain_tree) {
+    plain_tree->along(search.ray, search.low, search.high, [&](std::uint32_t item) {
+      if (may_meet(plain[item])) try_plain(search, plain[item]);
+      return search.high;
+    });
+  } else {
+    for (const std::uint32_t shape : plain)
+      if (may_meet(shape)) try_plain(search, shape);
+  }
+  for (const MeshTree& mesh : meshes)
+    if (may_meet(mesh.shape)) try_mesh(search, mesh);
+  return search.best;
+}
+
+Accelerator::Accelerator(std::vector<Shape> shapes)
+    : implementation_(std::make_unique<Implementation>(std::move(shapes))) {}
+Accelerator::~Accelerator() = default;
+Accelerator::Accelerator(Accelerator&&) noexcept = default;
+Accelerator& Accelerator::operator=(Accelerator&&) noexcept = default;
+
+const std::vector<Shape>& Accelerator::shapes() const { return implementation_->shapes; }
+const Box& Accelerator::bounds() const { return implementation_->bounds; }
+
+std::optional<SurfaceHit> Accelerator::nearest(const Ray& ray, double low, double high,
+                                               const Departure& departure) const {
+  return implementation_->run({ray, low, high, departure, std::nullopt});
+}
+
+bool Accelerator::blocked(const Ray& ray, double low, double high,
+                          const Departure& departure) const {
+  return nearest(ray, low, high, departure).has_value();
+}
+
+double Accelerator::clearance(Vec3d x, double limit) const {
+  const Implementation& all = *implementation_;
+  if (!is_finite(x)) return 0.0;
+  double least = limit;
+  for (const std::uint32_t shape : all.plain)
+    if (all.boxes[shape].distance(x) < least) least = std::min(least, all.clearance(shape, {x, x}));
+  for (const MeshTree& mesh : all.meshes) {
+    const double away = mesh.tree.bounds().distance(x);
+    if (!(away < least)) continue;
+    if (away > 100.0 * mesh.tree.bounds().diagonal()) {
+      least = away;
+      continue;
+    }
+    mesh.tree.around(x, least, [&](std::uint32_t face) {
+      const Vec3d point = closest_on_polygon(mesh.mesh->triangle(face), mesh.mesh->normal(face), x);
+      return least = std::min(least, length(x - point));
+    });
+  }
+  return least;
+}
+
+bool Accelerator::near(const Segment& segment, double radius) const {
+  const Implementation& all = *implementation_;
+  const Vec3d way = segment.b - segment.a;
+  const double size = length(way);
+  if (!std::isfinite(size) || !is_finite(segment.a) || !(radius < infinity)) return true;
+  const Ray ray{segment.a, size > 0.0 ? way / size : Vec3d{1, 0, 0}};
+  const Slab slab(ray);
+  const auto part_near = [&](std::uint32_t shape) {
+    return slab.clip(all.boxes[shape].grown(radius), 0.0, size);
+  };
+  for (const std::uint32_t shape : all.plain) {
+    const auto [first, last] = part_near(shape);
+    if (first <= last && all.clearance(shape, segment) <= radius) return true;
+  }
+  for (const MeshTree& mesh : all.meshes) {
+    const auto [first, last] = part_near(mesh.shape);
+    if (!(first <= last)) continue;
+    const Segment part{ray.at(first), ray.at(last)};
+    bool found = false;
+    mesh.tree.around((part.a + part.b) * 0.5, 0.5 * (last - first) + radius,
+                     [&](std::uint32_t face) {
+                       found = found || polygon_clearance(mesh.mesh->triangle(face),
+                                                          mesh.mesh->normal(face), part) <= radius;
+                       return found ? 0.0 : infinity;
+                     });
+    if (found) return true;
+  }
+  return false;
+}
+
+std::optional<Contact> Accelerator::contact_near(std::uint32_t shape, std::uint32_t face,
+                                                 const Ray& ray, double reach) const {
+  const Implementation& all = *implementation_;
+  if (!is_finite(ray.origin) || !is_finite(ray.direction)) return std::nullopt;
+  const Ray back{ray.origin, -ray.direction};
+  std::optional<Contact> ahead, behind;
+  if (const auto* mesh = std::get_if<Mesh>(&all.shapes[shape])) {
+    const auto own = mesh->cross_triangle(face, ray);
+    if (own && std::fabs(*own) <= reach) return Contact{*own, face};
+    const auto tree = std::find_if(all.meshes.begin(), all.meshes.end(),
+                                   [&](const MeshTree& m) { return m.shape == shape; });
+    const Departure none;
+    const auto search = [&](const Ray& way, double limit) -> std::optional<Contact> {
+      Search query{way, 0.0, limit, none, std::nullopt};
+      all.try_mesh(query, *tree);
+      if (!query.best) return std::nullopt;
+      return Contact{query.best->distance, query.best->face};
+    };
+    ahead = search(ray, reach);
+    behind = search(back, ahead ? ahead->distance : reach);
+  } else {
+    ahead = all.intersect(shape, ray, 0.0, reach);
+    behind = all.intersect(shape, back, 0.0, ahead ? ahead->distance : reach);
+  }
+  if (behind && (!ahead || behind->distance < ahead->distance))
+    return Contact{-behind->distance, behind->face};
+  return ahead;
+}
+
+SurfacePoint Accelerator::surface_at(std::uint32_t shape, std::uint32_t face, Vec3d x) const {
+  return implementation_->surface_at(shape, face, x);
+}
+
+}  // namespace portalens

@@ -1,0 +1,38 @@
+/// \file
+/// A closed cone.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "core/parameters.h"
+#include "geometry/pose.h"
+
+namespace portalens {
+
+/// Stands on its base along y, its tip up. Faces: 0 the side, 1 the base. Texture coordinates: u
+/// around, v from 0 at the base to 1 at the tip; the base bears the square around its disc.
+class Cone {
+ public:
+  static constexpr std::string_view name = "cone";
+  static Cone from(Parameters& parameters);
+  /// @param base  middle of the base before it is rotated
+  Cone(Vec3d base, double height, double radius, Vec3d rotation)
+      : pose_(base + Vec3d{0, 0.5 * height, 0}, rotation), half_(0.5 * height), radius_(radius) {}
+
+  [[nodiscard]] Box bounds() const;
+  [[nodiscard]] std::optional<Contact> intersect(const Ray& ray, double low, double high) const;
+  [[nodiscard]] SurfacePoint surface_at(Vec3d x, std::uint32_t face) const;
+  [[nodiscard]] double clearance(const Segment& segment) const;
+  /// A quarter of the height above the base.
+  [[nodiscard]] Vec3d center_of_mass() const { return pose_.to_world({0, -0.5 * half_, 0}); }
+  [[nodiscard]] double area() const;
+  [[nodiscard]] SurfacePoint sample(double u1, double u2) const;
+
+ private:
+  Pose pose_;
+  double half_;    ///< of the height
+  double radius_;  ///< of the base
+};
+
+}  // namespace portalens

@@ -1,0 +1,52 @@
+/// \file
+/// A flat convex quadrilateral, or a triangle.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/parameters.h"
+#include "geometry/ray.h"
+
+namespace portalens {
+
+using TextureCoordinates = std::array<double, 2>;
+
+/// One face, 0; its front is where the vertices run counter-clockwise. Texture coordinates are (0,
+/// 0), (1, 0), (1, 1), (0, 1) at the vertices, bilinear between them (a triangle: the first three,
+/// linear), or go from each vertex's own to the next in the same way.
+class Quad {
+ public:
+  static constexpr std::string_view name = "quad";
+  /// 3 or 4 `vertices`; optional `texture_coordinates`, as many.
+  static Quad from(Parameters& parameters);
+  /// @param vertices  3 or 4, convex and planar
+  /// @param texture_coordinates  as many, or none
+  explicit Quad(std::span<const Vec3d> vertices,
+                std::span<const TextureCoordinates> texture_coordinates = {});
+
+  [[nodiscard]] std::span<const Vec3d> vertices() const { return {vertices_.data(), count_}; }
+  [[nodiscard]] Vec3d normal() const { return normal_; }
+
+  [[nodiscard]] Box bounds() const;
+  [[nodiscard]] std::optional<Contact> intersect(const Ray& ray, double low, double high) const;
+  [[nodiscard]] SurfacePoint surface_at(Vec3d x, std::uint32_t face) const;
+  [[nodiscard]] double clearance(const Segment& segment) const;
+  /// The mean of the vertices.
+  [[nodiscard]] Vec3d center_of_mass() const;
+  [[nodiscard]] double area() const;
+  [[nodiscard]] SurfacePoint sample(double u1, double u2) const;
+
+ private:
+  [[nodiscard]] TextureCoordinates own_coordinates(Vec3d x) const;
+
+  std::array<Vec3d, 4> vertices_;
+  std::array<TextureCoordinates, 4> texture_coordinates_;
+  std::size_t count_;
+  Vec3d normal_, right_, up_;
+};
+
+}  // namespace portalens
