@@ -183,7 +183,7 @@ class Tracer {
     const auto acceleration = [this](Vec3d x) {
       return field_.bending(x, surroundings_).acceleration;
     };
-    const StepResult result = I::step(acceleration, state_, bending_.acceleration, h);
+    const StepResult<double> result = I::step(acceleration, state_, bending_.acceleration, h);
     end_ = result.end;
     if constexpr (I::straight_pieces) {
       const double turned = angle(state_.direction, end_.direction);

@@ -18,8 +18,8 @@ struct Euler {
 
   /// @param acceleration  g/c² as a function of position
   template <class Acceleration>
-  [[nodiscard]] static StepResult step(const Acceleration&, State state, Vec3d start_acceleration,
-                                       double h) {
+  [[nodiscard]] static StepResult<double> step(const Acceleration&, State state,
+                                               Vec3d start_acceleration, double h) {
     const Vec3d turned =
         normalize(state.direction + turning_part(start_acceleration, state.direction) * h);
     return {{state.position + turned * h, turned}, 0.0};

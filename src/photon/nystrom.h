@@ -27,21 +27,29 @@ struct Nystrom {
   }
 
   /// @param stiffness  Σ m d⁻⁵, nearness  Σ d⁻⁴, both 1/length⁴
+  template <class Real>
+  [[nodiscard]] static Real propose(Real stiffness, Real nearness, Real stiffness_weight,
+                                    Real nearness_weight) {
+    using std::sqrt;
+    return Real(1.0) / sqrt(sqrt(stiffness * stiffness_weight + nearness * nearness_weight));
+  }
   [[nodiscard]] double propose(double stiffness, double nearness) const {
-    return 1.0 / std::sqrt(std::sqrt(stiffness * stiffness_weight + nearness * nearness_weight));
+    return propose(stiffness, nearness, stiffness_weight, nearness_weight);
   }
 
-  template <class Acceleration>
-  [[nodiscard]] static StepResult step(const Acceleration& acceleration, State state,
-                                       Vec3d start_acceleration, double h) {
-    const Vec3d x = state.position, t = state.direction;
-    const Vec3d k1 = turning_part(start_acceleration, t);
-    const Vec3d middle = acceleration(x + t * (h / 2) + k1 * (h * h / 8));
-    const Vec3d k2 = turning_part(middle, t + k1 * (h / 2));
-    const Vec3d k3 = turning_part(middle, t + k2 * (h / 2));
-    const Vec3d k4 = turning_part(acceleration(x + t * h + k3 * (h * h / 2)), t + k3 * h);
-    return {{x + t * h + (k1 + k2 + k3) * (h * h / 6),
-             normalize(t + (k1 + (k2 + k3) * 2.0 + k4) * (h / 6))},
+  template <class Real, class Acceleration>
+  [[nodiscard]] static StepResult<Real> step(const Acceleration& acceleration, StateOf<Real> state,
+                                             Vec3<Real> start_acceleration, Real h) {
+    const Vec3<Real> x = state.position, t = state.direction;
+    const Real half = h * Real(0.5);
+    const Vec3<Real> k1 = turning_part(start_acceleration, t);
+    const Vec3<Real> middle = acceleration(x + t * half + k1 * (half * half * Real(0.5)));
+    const Vec3<Real> k2 = turning_part(middle, t + k1 * half);
+    const Vec3<Real> k3 = turning_part(middle, t + k2 * half);
+    const Vec3<Real> k4 = turning_part(acceleration(x + (t + k3 * half) * h), t + k3 * h);
+    const Real sixth = h * Real(1.0 / 6.0);
+    return {{x + (t + (k1 + k2 + k3) * sixth) * h,
+             normalize(t + (k1 + (k2 + k3) * Real(2.0) + k4) * sixth)},
             portalens::length(k2)};
   }
 

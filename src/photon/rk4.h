@@ -17,8 +17,8 @@ struct Rk4 {
   static Rk4 from(const IntegratorSettings& settings) { return {settings.step}; }
 
   template <class Acceleration>
-  [[nodiscard]] static StepResult step(const Acceleration& acceleration, State state,
-                                       Vec3d start_acceleration, double h) {
+  [[nodiscard]] static StepResult<double> step(const Acceleration& acceleration, State state,
+                                               Vec3d start_acceleration, double h) {
     const Vec3d x = state.position, t = state.direction;
     const Vec3d a1 = turning_part(start_acceleration, t);
     const Vec3d t2 = t + a1 * (h / 2);

@@ -7,17 +7,21 @@
 namespace portalens {
 
 /// A photon between two steps. `direction` is a unit vector.
-struct State {
-  Vec3d position, direction;
+template <class Real>
+struct StateOf {
+  Vec3<Real> position, direction;
 };
+using State = StateOf<double>;
 
+template <class Real>
 struct StepResult {
-  State end;
-  double middle_bend = 0.0;  ///< |dt/ds| halfway, for the curve between
+  StateOf<Real> end;
+  Real middle_bend{};  ///< |dt/ds| halfway, for the curve between
 };
 
 /// The part of g/c² that turns a photon: dt/ds = (g - (g·t) t) / c². Dunigan & Pianta, sec. 5.
-[[nodiscard]] constexpr Vec3d turning_part(Vec3d acceleration, Vec3d direction) {
+template <class Real>
+[[nodiscard]] constexpr Vec3<Real> turning_part(Vec3<Real> acceleration, Vec3<Real> direction) {
   return acceleration - direction * dot(acceleration, direction);
 }
 
