@@ -1,0 +1,36 @@
+/// \file
+/// A text line by line, each as words: what MTL and ordinary OBJ are made of.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace portalens {
+
+/// Walks over the lines that say something. A backslash at the end of a line continues it; `#`
+/// begins a comment.
+class LineReader {
+ public:
+  explicit LineReader(std::string_view text);
+
+  /// Moves to the next line with a word in it; false at the end.
+  bool next();
+
+  /// The number of the line, from 1; of its beginning, if it is continued.
+  [[nodiscard]] int line() const { return line_; }
+  [[nodiscard]] const std::vector<std::string_view>& words() const { return words_; }
+  /// All after the first word, as one: a name with spaces.
+  [[nodiscard]] std::string rest() const;
+
+ private:
+  void split(std::string_view text);
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+  int line_ = 0, passed_ = 0;
+  std::vector<std::string_view> words_;
+};
+
+}  // namespace portalens

@@ -1,0 +1,23 @@
+/// \file
+/// The materials of an ordinary OBJ mesh: MTL, as far as it says what ours can.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/parameters.h"
+
+namespace portalens {
+
+/// One table of kind "material" for each `newmtl`, in our own keys: `Kd` (or the picture of
+/// `map_Kd`, which then replaces it) is `diffuse`, `Ke` `emitted`, `Pr` `roughness`, and `Ks`
+/// `reflective` where `illum` is 3 or more (MTL mirrors only then). Other statements have no
+/// counterpart here and are passed over.
+/// @param name  how messages call the file
+[[nodiscard]] std::vector<Table> read_mtl(std::string_view text,
+                                          const std::shared_ptr<const std::string>& name,
+                                          Faults& faults);
+
+}  // namespace portalens

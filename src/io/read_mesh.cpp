@@ -1,0 +1,348 @@
+#include "io/read_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <memory>
+#include <new>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "core/words.h"
+#include "io/files.h"
+#include "io/lines.h"
+#include "io/mtl.h"
+#include "io/paths.h"
+#include "io/polygon.h"
+#include "io/tokens.h"
+
+namespace portalens {
+namespace {
+
+constexpr std::uint64_t most_bytes = std::uint64_t{1} << 30;
+constexpr std::uint64_t most_mtl_bytes = std::uint64_t{16} << 20;
+constexpr std::size_t most_triangles = 20'000'000;
+constexpr std::size_t most_corners = 1000;  // of one polygon
+constexpr std::size_t most_faults = 100;
+constexpr double most_far = 1e15;  // single precision squares it
+constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+/// Statements that say nothing about surfaces, and are passed over.
+constexpr std::string_view harmless[] = {"o", "g", "s", "l", "p"};
+
+class MeshReader {
+ public:
+  MeshReader(std::string_view text, const std::filesystem::path& path, Faults& faults)
+      : lines_(text),
+        path_(path),
+        file_(std::make_shared<const std::string>(path.string())),
+        faults_(&faults),
+        before_(faults.size()) {}
+
+  MeshFile read() {
+    while (faults_->size() - before_ < most_faults && lines_.next()) statement();
+    check_indices_ahead();
+    if (faults_->size() == before_ && mesh_.corners.empty()) {
+      faults_->add({file_, 0}, "the mesh has no faces", "check that the file is whole");
+    }
+    if (faults_->size() > before_) return {};
+    fill_gaps();
+    return {std::move(mesh_), std::move(materials_)};
+  }
+
+ private:
+  using Corner = Triangles::Corner;
+
+  /// A corner may name what stands further down: that it does is checked at the end.
+  struct Ahead {
+    Corner corner;
+    int line;
+  };
+
+  [[nodiscard]] Location here() const { return {file_, lines_.line()}; }
+
+  void refuse(const std::string& problem, const std::string& remedy) {
+    faults_->add(here(), problem, remedy);
+  }
+
+  void statement() {
+    const std::string_view word = lines_.words()[0];
+    if (word == "v") {
+      // Also after a fault, so that the count of the others stays right.
+      mesh_.positions.push_back(numbers(3, 8, "v x y z").value_or(Vec3d{}));
+    } else if (word == "vn") {
+      mesh_.normals.push_back(unit(numbers(3, 3, "vn x y z").value_or(Vec3d{})));
+    } else if (word == "vt") {
+      const Vec3d point = numbers(1, 3, "vt u v").value_or(Vec3d{});
+      mesh_.uvs.push_back({point.x, point.y});
+    } else if (word == "f") {
+      face();
+    } else if (word == "usemtl") {
+      use_material();
+    } else if (word == "mtllib") {
+      read_materials();
+    } else if (std::find(std::begin(harmless), std::end(harmless), word) == std::end(harmless)) {
+      refuse("unknown statement " + in_quotes(word),
+             suggestion_or_list(word, {"v", "vt", "vn", "f", "o", "g", "s", "usemtl", "mtllib"}));
+    }
+  }
+
+  /// The first three of `low` to `high` numbers, each of which must be one.
+  std::optional<Vec3d> numbers(std::size_t low, std::size_t high, const std::string& form) {
+    const auto& words = lines_.words();
+    const std::size_t count = words.size() - 1;
+    if (count < low || count > high) {
+      refuse(in_quotes(words[0]) + " has " + std::to_string(count) + " numbers", "write " + form);
+      return std::nullopt;
+    }
+    Vec3d result;
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto value = parse_number(words[i + 1]);
+      if (!value || std::fabs(*value) > most_far) {
+        refuse(in_quotes(words[i + 1]) + " is not a number of at most 1e15", "write " + form);
+        return std::nullopt;
+      }
+      if (i < 3) (i == 0 ? result.x : i == 1 ? result.y : result.z) = *value;
+    }
+    return result;
+  }
+
+  /// A normal of no length stays so, and counts as left out.
+  static Vec3d unit(Vec3d n) {
+    const double largest = std::max({std::fabs(n.x), std::fabs(n.y), std::fabs(n.z)});
+    return largest > 0.0 ? normalize(n / largest) : Vec3d{};
+  }
+
+  /// One index of `a/b/c`: from 1 up, or back from the last one. `none` if it is left out.
+  bool index(std::string_view word, std::size_t count, std::uint32_t& result) {
+    result = none;
+    if (word.empty()) return true;
+    const auto given = parse_integer(word);
+    const auto limit = static_cast<std::int64_t>(none);
+    if (!given || *given == 0 || *given >= limit || *given < -static_cast<std::int64_t>(count)) {
+      return false;
+    }
+    result = static_cast<std::uint32_t>(*given > 0 ? *given - 1
+                                                   : static_cast<std::int64_t>(count) + *given);
+    return true;
+  }
+
+  std::optional<Corner> corner(std::string_view word) {
+    std::string_view parts[3];
+    std::size_t count = 0, begin = 0;
+    for (; count < 3 && begin <= word.size(); ++count) {
+      const std::size_t end = std::min(word.find('/', begin), word.size());
+      parts[count] = word.substr(begin, end - begin);
+      begin = end + 1;
+    }
+    Corner result;
+    if (begin <= word.size() || !index(parts[0], mesh_.positions.size(), result.position) ||
+        !index(parts[1], mesh_.uvs.size(), result.uv) ||
+        !index(parts[2], mesh_.normals.size(), result.normal) || result.position == none) {
+      refuse(in_quotes(word) + " is not a corner of this mesh",
+             std::to_string(mesh_.positions.size()) +
+                 " vertices stand above; write v, v/vt, v//vn or v/vt/vn, counted from 1");
+      return std::nullopt;
+    }
+    if (missing(result.position, mesh_.positions.size()) || missing(result.uv, mesh_.uvs.size()) ||
+        missing(result.normal, mesh_.normals.size())) {
+      ahead_.push_back({result, lines_.line()});
+    }
+    return result;
+  }
+
+  static bool missing(std::uint32_t index, std::size_t count) {
+    return index != none && index >= count;
+  }
+
+  void face() {
+    const auto& words = lines_.words();
+    const std::size_t count = words.size() - 1;
+    if (count < 3 || count > most_corners) {
+      refuse("a face of " + std::to_string(count) + " corners", "give it 3 to 1000");
+      return;
+    }
+    polygon_.clear();
+    for (std::size_t i = 1; i <= count; ++i) {
+      const auto next = corner(words[i]);
+      if (!next) return;
+      polygon_.push_back(*next);
+    }
+    add_polygon();
+    if (mesh_.corners.size() > most_triangles) {
+      refuse("more than 20 million triangles", "use a coarser mesh");
+      while (lines_.next()) {
+      }
+    }
+  }
+
+  void add_polygon() {
+    if (polygon_.size() == 3) {
+      add_triangle({0, 1, 2});
+      return;
+    }
+    points_.clear();
+    for (const Corner& one : polygon_) {
+      if (one.position >= mesh_.positions.size()) {
+        refuse("a face of more than 3 corners stands above its vertices",
+               "write the vertices first");
+        return;
+      }
+      points_.push_back(mesh_.positions[one.position]);
+    }
+    for (const auto& triangle : triangulate(points_)) add_triangle(triangle);
+  }
+
+  void add_triangle(const std::array<std::size_t, 3>& from) {
+    mesh_.corners.push_back({polygon_[from[0]], polygon_[from[1]], polygon_[from[2]]});
+    mesh_.material_of.push_back(material_);
+  }
+
+  void use_material() {
+    const std::string name = lines_.rest();
+    const auto found = material_by_name_.find(name);
+    if (found != material_by_name_.end()) {
+      material_ = found->second;
+      return;
+    }
+    std::vector<std::string> known;
+    for (const auto& [other, unused] : material_by_name_) known.push_back(other);
+    refuse("unknown material " + in_quotes(name),
+           known.empty() ? "name its MTL file with mtllib first" : suggestion_or_list(name, known));
+  }
+
+  void read_materials() {
+    const std::string name = lines_.rest();
+    const auto file = resolve_file(path_, name, Containment::scene_folder, here(), *faults_);
+    if (!file) return;
+    const auto text = read_file(*file, most_mtl_bytes, here(), *faults_);
+    if (!text) return;
+    const auto shown = std::make_shared<const std::string>((path_.parent_path() / name).string());
+    for (Table& table : read_mtl(*text, shown, *faults_)) {
+      const Value* said = table.find("name");
+      const auto index = static_cast<std::uint32_t>(materials_.size());
+      const auto& key = std::get<std::string>(said->data);
+      if (!material_by_name_.emplace(key, index).second) {
+        faults_->add(table.where, "a second material " + in_quotes(key), "give it another name");
+      }
+      materials_.push_back(std::move(table));
+    }
+  }
+
+  void check_indices_ahead() {
+    for (const Ahead& one : ahead_) {
+      if (faults_->size() - before_ >= most_faults) return;
+      if (missing(one.corner.position, mesh_.positions.size()) ||
+          missing(one.corner.uv, mesh_.uvs.size()) ||
+          missing(one.corner.normal, mesh_.normals.size())) {
+        faults_->add({file_, one.line}, "a face names what the file does not have",
+                     "it has " + std::to_string(mesh_.positions.size()) + " v, " +
+                         std::to_string(mesh_.uvs.size()) + " vt and " +
+                         std::to_string(mesh_.normals.size()) + " vn");
+      }
+    }
+  }
+
+  void fill_gaps() {
+    fill_normals();
+    fill_uvs();
+    fill_materials();
+  }
+
+  /// Faces without normals, among others that have them, are flat.
+  void fill_normals() {
+    bool any = false;
+    for (auto& triangle : mesh_.corners) {
+      for (Corner& one : triangle) {
+        if (one.normal != none && mesh_.normals[one.normal] == Vec3d{}) one.normal = none;
+        any |= one.normal != none;
+      }
+    }
+    if (!any) mesh_.normals.clear();
+    for (auto& triangle : mesh_.corners) {
+      std::optional<std::uint32_t> flat;
+      for (Corner& one : triangle) {
+        if (one.normal != none) continue;
+        if (any && !flat) {
+          flat = static_cast<std::uint32_t>(mesh_.normals.size());
+          mesh_.normals.push_back(flat_normal(triangle));
+        }
+        one.normal = flat.value_or(0);
+      }
+    }
+  }
+
+  [[nodiscard]] Vec3d flat_normal(const std::array<Corner, 3>& triangle) const {
+    const Vec3d a = mesh_.positions[triangle[0].position];
+    const Vec3d n = unit(cross(mesh_.positions[triangle[1].position] - a,
+                               mesh_.positions[triangle[2].position] - a));
+    return n == Vec3d{} ? Vec3d{0, 1, 0} : n;  // no area: nothing ever meets it
+  }
+
+  void fill_uvs() {
+    bool any = false, gap = false;
+    for (const auto& triangle : mesh_.corners) {
+      for (const Corner& one : triangle) (one.uv != none ? any : gap) = true;
+    }
+    const auto origin = static_cast<std::uint32_t>(any ? mesh_.uvs.size() : 0);
+    if (!any) mesh_.uvs.clear();
+    if (any && gap) mesh_.uvs.push_back({0.0, 0.0});
+    for (auto& triangle : mesh_.corners) {
+      for (Corner& one : triangle) {
+        if (one.uv == none) one.uv = origin;
+      }
+    }
+  }
+
+  /// Faces before the first usemtl, among others that have a material, get a plain one.
+  void fill_materials() {
+    if (materials_.empty() || std::all_of(mesh_.material_of.begin(), mesh_.material_of.end(),
+                                          [](std::uint32_t m) { return m == none; })) {
+      mesh_.material_of.clear();
+      materials_.clear();
+      return;
+    }
+    const auto plain = static_cast<std::uint32_t>(materials_.size());
+    bool used = false;
+    for (std::uint32_t& material : mesh_.material_of) {
+      if (material != none) continue;
+      material = plain;
+      used = true;
+    }
+    if (used) materials_.push_back({"material", {file_, 0}, {}});
+  }
+
+  LineReader lines_;
+  std::filesystem::path path_;
+  std::shared_ptr<const std::string> file_;
+  Faults* faults_;
+  std::size_t before_;
+  Triangles mesh_;
+  std::vector<Table> materials_;
+  std::map<std::string, std::uint32_t> material_by_name_;
+  std::uint32_t material_ = none;
+  std::vector<Ahead> ahead_;
+  std::vector<Corner> polygon_;
+  std::vector<Vec3d> points_;
+};
+
+}  // namespace
+
+MeshFile read_mesh(const std::filesystem::path& file, const Location& asked_at, Faults& faults) {
+  const auto text = read_file(file, most_bytes, asked_at, faults);
+  if (!text) return {};
+  try {
+    return MeshReader(*text, file, faults).read();
+  } catch (const std::bad_alloc&) {
+    faults.add(asked_at, "no memory for the mesh " + file.filename().string(),
+               "use a coarser mesh");
+    return {};
+  }
+}
+
+}  // namespace portalens
