@@ -19,6 +19,12 @@ ClosestPointCoupling::ClosestPointCoupling(const CouplingInput& input) : depth_(
   compute_reaches();
 }
 
+CouplingCost ClosestPointCoupling::cost(const CouplingInput& input) {
+  double chains = 0.0;
+  for (int size = 1; size <= input.depth; ++size) chains += chain_count(input, size);
+  return {chains * (1.0 + static_cast<double>(input.masses.size())), 0.0};
+}
+
 void ClosestPointCoupling::compute_reaches() {
   const std::size_t count = gates_.size();
   reach_.assign(count * static_cast<std::size_t>(depth_ + 1), 0.0);

@@ -23,6 +23,7 @@ class ClosestPointCoupling {
 
   /// @pre depth >= 0; some reach is infinite if a mass's influence is, and then `quiet` is 0.
   explicit ClosestPointCoupling(const CouplingInput& input);
+  [[nodiscard]] static CouplingCost cost(const CouplingInput& input);
 
   [[nodiscard]] Pull pull(Vec3d x, Vec3d anchor) const {
     return through_portals(x, anchor, depth_, no_portal);

@@ -20,6 +20,14 @@ struct List<std::variant<Types...>> {
     assert(known);
     return made;
   }
+
+  static CouplingCost cost(std::string_view name, const CouplingInput& input) {
+    CouplingCost found;
+    [[maybe_unused]] const bool known =
+        ((Types::name == name ? (found = Types::cost(input), true) : false) || ...);
+    assert(known);
+    return found;
+  }
 };
 
 }  // namespace
@@ -28,6 +36,10 @@ std::vector<std::string_view> coupling_names() { return List<Coupling>::names();
 
 Coupling make_coupling(std::string_view name, const CouplingInput& input) {
   return List<Coupling>::make(name, input);
+}
+
+CouplingCost estimated_cost(std::string_view name, const CouplingInput& input) {
+  return List<Coupling>::cost(name, input);
 }
 
 }  // namespace portalens

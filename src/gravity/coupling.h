@@ -4,6 +4,8 @@
 /// To add one: a header beside this one, and a word in `Coupling`. Each type has
 ///   static constexpr std::string_view name;               as `physics.portal_gravity` spells it
 ///   explicit T(const CouplingInput&);
+///   static CouplingCost cost(const CouplingInput&);
+///       an estimate, before it is made
 ///   Pull pull(Vec3d x, Vec3d anchor) const;
 ///       what portals add to the acceleration at x (direct attraction is not part of it). Every
 ///       decision (which side, which edge is nearest, what is in reach) is taken at `anchor`, every
@@ -38,5 +40,9 @@ using Coupling = std::variant<NoCoupling, ClosestPointCoupling, ShortestPathCoup
 /// The coupling with that name.
 /// @pre `name` is one of `coupling_names()`
 [[nodiscard]] Coupling make_coupling(std::string_view name, const CouplingInput& input);
+
+/// What that coupling will cost. Scenes beyond `coupling_budget` are refused before it is made.
+/// @pre `name` is one of `coupling_names()`
+[[nodiscard]] CouplingCost estimated_cost(std::string_view name, const CouplingInput& input);
 
 }  // namespace portalens

@@ -2,7 +2,7 @@
 /// What every coupling is made from, and what it answers.
 #pragma once
 
-#include <cstdint>
+#include <cmath>
 #include <span>
 
 #include "gravity/mass.h"
@@ -17,6 +17,21 @@ struct CouplingInput {
   int depth = 1;                 ///< portals in a row, >= 0; 0 = none
   int graviton_resolution = 32;  ///< nodes along a portal's longer side, >= 2
 };
+
+/// What a coupling will cost, in pulls of one mass or of like size; an estimate from above.
+struct CouplingCost {
+  double each_call = 0.0;    ///< of `pull`
+  double preparation = 0.0;  ///< once, to make it
+};
+
+/// A scene whose coupling would cost more is refused; the remedy is a smaller depth.
+inline constexpr CouplingCost coupling_budget{2e4, 1e9};
+
+/// The number of chains of exactly `size` portals, none going straight back through a pair.
+[[nodiscard]] inline double chain_count(const CouplingInput& input, int size) {
+  const auto portals = static_cast<double>(input.portals.size());
+  return portals == 0.0 ? 0.0 : portals * std::pow(portals - 1.0, size - 1);
+}
 
 /// An acceleration, and how sharply it varies, from which the step is chosen: the sums over its
 /// sources of G M / d⁵ and of 1 / d⁴ (d with the core; any other length over which the field varies

@@ -28,6 +28,13 @@ GravitonMapCoupling::GravitonMapCoupling(const CouplingInput& input) : exact_(in
   for (std::uint32_t a = 0; a < exact_.portal_count(); ++a) add_grid(a, input.graviton_resolution);
 }
 
+CouplingCost GravitonMapCoupling::cost(const CouplingInput& input) {
+  if (input.depth == 0) return {};
+  const double nodes = static_cast<double>(input.graviton_resolution) * input.graviton_resolution;
+  return {static_cast<double>(input.portals.size()),
+          nodes * ClosestPointCoupling::cost(input).each_call};
+}
+
 void GravitonMapCoupling::add_grid(std::uint32_t portal, int resolution) {
   const PortalFace& face = exact_.face(portal);
   double high_x = -std::numeric_limits<double>::infinity(), high_y = high_x;

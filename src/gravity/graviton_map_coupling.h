@@ -28,6 +28,7 @@ class GravitonMapCoupling {
   static constexpr std::string_view name = "graviton-map";
 
   explicit GravitonMapCoupling(const CouplingInput& input);
+  [[nodiscard]] static CouplingCost cost(const CouplingInput& input);
 
   [[nodiscard]] Pull pull(Vec3d x, Vec3d anchor) const;
   [[nodiscard]] std::uint64_t signature(Vec3d x) const;

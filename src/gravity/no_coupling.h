@@ -14,6 +14,7 @@ class NoCoupling {
   static constexpr std::string_view name = "none";
   NoCoupling() = default;
   explicit NoCoupling(const CouplingInput&) {}
+  [[nodiscard]] static CouplingCost cost(const CouplingInput&) { return {}; }
   [[nodiscard]] Pull pull(Vec3d, Vec3d) const { return {}; }
   [[nodiscard]] std::uint64_t signature(Vec3d) const { return 0; }
   [[nodiscard]] double quiet(Vec3d) const { return std::numeric_limits<double>::infinity(); }

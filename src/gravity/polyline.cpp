@@ -136,21 +136,21 @@ double best_place(const Slide& slide, Vec3d a, Vec3d b) {
   return std::clamp(best, slide.low, slide.high);
 }
 
-double shorten(Polyline& way) {
-  if (way.count == 0) return length(way.to - way.from);
-  const int sweeps = way.count == 1 ? 1 : 2;
+double Polyline::total() const { return total_length(*this, 0.0); }
+
+void shorten(Polyline& way) {
+  const int sweeps = way.count > 1 ? 2 : 1;
   for (int sweep = 0; sweep < sweeps; ++sweep)
     for (std::size_t i = 0; i < way.count; ++i)
       way.places[i] = best_place(way.slides[i], i == 0 ? way.from : way.point(i - 1),
                                  i + 1 < way.count ? way.point(i + 1) : way.to);
-  if (way.count > 1) {
-    const double size = total_length(way, 0.0);
-    if (cornered(way, size))
-      for (double blur = 1e-2; blur > 1e-11; blur *= 1e-2) descend(way, blur * size);
-    else
-      descend(way, 1e-14 * size);
+  if (way.count < 2) return;
+  const double size = way.total();
+  if (cornered(way, size)) {
+    for (double blur = 1e-2; blur > 1e-11; blur *= 1e-2) descend(way, blur * size);
+  } else {
+    descend(way, 1e-14 * size);
   }
-  return total_length(way, 0.0);
 }
 
 }  // namespace portalens

@@ -28,6 +28,7 @@ struct Polyline {
   std::size_t count = 0;
 
   [[nodiscard]] Vec3d point(std::size_t i) const { return slides[i].at(places[i]); }
+  [[nodiscard]] double total() const;
 };
 
 /// Minimises |a - y| + |y - b| over the slide: with both ends turned about its line into one plane,
@@ -37,7 +38,6 @@ struct Polyline {
 
 /// Moves the places to where the polyline is shortest, from any finite ones. The length is convex
 /// in the places: projected Newton steps on its tridiagonal Hessian.
-/// @return the length
-double shorten(Polyline& way);
+void shorten(Polyline& way);
 
 }  // namespace portalens

@@ -42,6 +42,10 @@ PortalMassCoupling::PortalMassCoupling(const CouplingInput& input) {
   }
 }
 
+CouplingCost PortalMassCoupling::cost(const CouplingInput& input) {
+  return {input.depth > 0 ? static_cast<double>(input.portals.size()) : 0.0, 0.0};
+}
+
 Pull PortalMassCoupling::pull(Vec3d x, Vec3d anchor) const {
   Pull total;
   for (const Image& image : images_) {

@@ -19,6 +19,7 @@ class PortalMassCoupling {
   static constexpr std::string_view name = "portal-mass";
 
   explicit PortalMassCoupling(const CouplingInput& input);
+  [[nodiscard]] static CouplingCost cost(const CouplingInput& input);
 
   [[nodiscard]] Pull pull(Vec3d x, Vec3d anchor) const;
   [[nodiscard]] std::uint64_t signature(Vec3d x) const;

@@ -45,6 +45,15 @@ ShortestPathCoupling::ShortestPathCoupling(const CouplingInput& input) {
   }
 }
 
+CouplingCost ShortestPathCoupling::cost(const CouplingInput& input) {
+  std::size_t edges = 0;
+  for (const Portal& portal : input.portals) edges = std::max(edges, portal.vertices.size());
+  double ways = 0.0;
+  for (int size = 1; size <= input.depth; ++size)
+    ways += chain_count(input, size) * std::pow(static_cast<double>(edges), size);
+  return {ways * static_cast<double>(input.masses.size()), 0.0};
+}
+
 void ShortestPathCoupling::add_chains(const CouplingInput& input, std::vector<std::uint32_t>& chain,
                                       std::uint32_t parent) {
   if (chain.size() >= static_cast<std::size_t>(input.depth)) return;

@@ -26,6 +26,7 @@ class ShortestPathCoupling {
 
   /// @pre 0 <= depth <= max_chain
   explicit ShortestPathCoupling(const CouplingInput& input);
+  [[nodiscard]] static CouplingCost cost(const CouplingInput& input);
 
   [[nodiscard]] Pull pull(Vec3d x, Vec3d anchor) const;
   [[nodiscard]] std::uint64_t signature(Vec3d x) const;

@@ -117,7 +117,8 @@ class Search {
       way_.places[way_.count] = 0.5 * edge.length;
       ++way_.count;
     }
-    return shorten(way_);
+    shorten(way_);
+    return way_.total();
   }
 
   /// Whether the way runs straight through all the faces that it has no edge of; if not, the face
@@ -183,7 +184,7 @@ bool shortest_passages(Vec3d from, Vec3d to, FaceRow faces, double limit, Passag
   return Search(from, to, faces, limit, out).run();
 }
 
-Way follow(Vec3d from, Vec3d to, FaceRow faces, const Passages& passages) {
+Polyline bends(Vec3d from, Vec3d to, FaceRow faces, const Passages& passages) {
   Polyline way;
   way.from = from;
   way.to = to;
@@ -197,8 +198,13 @@ Way follow(Vec3d from, Vec3d to, FaceRow faces, const Passages& passages) {
     way.places[way.count] = fixed ? 0.0 : 0.5 * edge.length;
     ++way.count;
   }
-  const double length = shorten(way);
-  return {length, way.count > 0 ? way.point(0) : to, way.count == 0};
+  shorten(way);
+  return way;
+}
+
+Way follow(Vec3d from, Vec3d to, FaceRow faces, const Passages& passages) {
+  const Polyline way = bends(from, to, faces, passages);
+  return {way.total(), way.count > 0 ? way.point(0) : to, way.count == 0};
 }
 
 }  // namespace portalens

@@ -50,7 +50,11 @@ struct Way {
 [[nodiscard]] bool shortest_passages(Vec3d from, Vec3d to, FaceRow faces, double limit,
                                      Passages& out);
 
-/// The way with these passages, an edge counting as its whole line: smooth in `from`.
+/// The way with these passages, an edge counting as its whole line: smooth in `from`. Its bends are
+/// the points of the polyline, one for each passage that is not straight.
+[[nodiscard]] Polyline bends(Vec3d from, Vec3d to, FaceRow faces, const Passages& passages);
+
+/// The length and the first bend of that way.
 [[nodiscard]] Way follow(Vec3d from, Vec3d to, FaceRow faces, const Passages& passages);
 
 }  // namespace portalens
