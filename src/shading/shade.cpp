@@ -57,8 +57,7 @@ class Shader {
 
  private:
   void add_light(Rgb radiance) {
-    if (is_finite(radiance) && radiance != Rgb{})
-      output_.light.push_back({radiance, photon_.sample, photon_.slot});
+    if (radiance != Rgb{}) output_.light.push_back({radiance, photon_.sample, photon_.slot});
   }
 
   void shade_surface() {
@@ -127,7 +126,7 @@ class Shader {
   void ask(const ShadingPoint& point, const LightSample& sample, Rgb share, std::uint32_t portal) {
     if (!(dot(sample.position - point.position, point.outward) > 0.0)) return;
     const Rgb light = share * irradiance(sample, point.position, point.normal);
-    if (!is_finite(light) || light == Rgb{}) return;
+    if (light == Rgb{}) return;
     ShadowQuery query;
     query.from = point.position;
     query.to = sample.position;
