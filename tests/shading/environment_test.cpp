@@ -1,0 +1,68 @@
+#include "shading/environment.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "support/random.h"
+
+namespace portalens {
+namespace {
+
+/// Red grows to the right from 0 to 1, green grows downwards.
+Environment ramp(double rotation = 0.0) {
+  auto image = std::make_shared<Image>(720, 360, 3);
+  for (int y = 0; y < 360; ++y)
+    for (int x = 0; x < 720; ++x) {
+      image->at(x, y)[0] = static_cast<float>((x + 0.5) / 720);
+      image->at(x, y)[1] = static_cast<float>((y + 0.5) / 360);
+    }
+  Environment environment;
+  environment.image = image;
+  environment.rotation = rotation;
+  return environment;
+}
+
+constexpr double pixel = 1.0 / 360;
+
+TEST(Environment, HasItsCentreAtMinusZ) {
+  const Rgb center = ramp().radiance({0, 0, -1});
+  EXPECT_NEAR(center.x, 0.5, pixel);
+  EXPECT_NEAR(center.y, 0.5, pixel);
+}
+
+TEST(Environment, HasPlusXToTheRightAndPlusYOnTop) {
+  EXPECT_NEAR(ramp().radiance({1, 0, 0}).x, 0.75, pixel);
+  EXPECT_NEAR(ramp().radiance({-1, 0, 0}).x, 0.25, pixel);
+  EXPECT_NEAR(ramp().radiance({0, 1, 0}).y, 0.0, pixel);
+  EXPECT_NEAR(ramp().radiance({0, -1, 0}).y, 1.0, pixel);
+}
+
+TEST(Environment, HasItsSeamAtPlusZ) {
+  EXPECT_NEAR(ramp().radiance(normalize(Vec3d{0.02, 0, 1})).x, 1.0, 0.01);
+  EXPECT_NEAR(ramp().radiance(normalize(Vec3d{-0.02, 0, 1})).x, 0.0, 0.01);
+}
+
+TEST(Environment, ARotationTurnsTheSkyRightHandedAboutY) {
+  test::Random random(1);
+  for (int i = 0; i < 200; ++i) {
+    const Vec3d d = random.direction();
+    if (std::hypot(d.x, d.z) < 0.1) continue;
+    const double degrees = random.uniform(-700, 700);
+    const double angle = degrees * std::numbers::pi / 180;
+    const Vec3d turned{std::cos(angle) * d.x + std::sin(angle) * d.z, d.y,
+                       -std::sin(angle) * d.x + std::cos(angle) * d.z};
+    const double still = ramp().radiance(d).x, moved = ramp(degrees).radiance(turned).x;
+    EXPECT_NEAR(std::remainder(still - moved, 1.0), 0.0, 1e-5);
+  }
+}
+
+TEST(Environment, AColourIsTheSameAllRound) {
+  Environment environment;
+  environment.color = {1, 2, 3};
+  EXPECT_EQ(environment.radiance({0, 1, 0}), (Rgb{1, 2, 3}));
+}
+
+}  // namespace
+}  // namespace portalens
