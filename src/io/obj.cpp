@@ -49,22 +49,17 @@ void read_as_mesh(const Location& whole, Scene& scene) {
 
 }  // namespace
 
-void read_obj(std::string_view text, const std::shared_ptr<const std::string>& name, Scene& scene,
-              Faults& faults) {
+void read_obj(std::string_view text, const std::shared_ptr<const std::string>& name, Scene& scene) {
   const Location whole{name, 0};
   if (kind_of(text) == Kind::ordinary) {
     read_as_mesh(whole, scene);
-    return;
+  } else if (text.size() > most_dialect) {
+    scene.faults.add(whole, "longer than 64 MiB", "put its faces into a mesh");
+  } else if (TokenStream(text).peek().at_end()) {
+    scene.faults.add(whole, "the file has no statement", "describe a scene in it");
+  } else {
+    ObjReader(text, name, scene).read();
   }
-  if (text.size() > most_dialect) {
-    faults.add(whole, "longer than 64 MiB", "put its faces into a mesh");
-    return;
-  }
-  if (TokenStream(text).peek().at_end()) {
-    faults.add(whole, "the file has no statement", "describe a scene in it");
-    return;
-  }
-  ObjReader(text, name, scene, faults).read();
 }
 
 }  // namespace portalens

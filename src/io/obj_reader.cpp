@@ -1,10 +1,10 @@
 #include "io/obj_reader.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "core/words.h"
-#include "io/srgb.h"
 #include "io/vocabulary.h"
 
 namespace portalens {
@@ -66,9 +66,8 @@ std::vector<std::string> ObjReader::names() {
   return result;
 }
 
-ObjReader::ObjReader(std::string_view source, std::shared_ptr<const std::string> file, Scene& scene,
-                     Faults& faults)
-    : tokens_(source), file_(std::move(file)), scene_(&scene), faults_(&faults) {}
+ObjReader::ObjReader(std::string_view source, std::shared_ptr<const std::string> file, Scene& scene)
+    : tokens_(source), file_(std::move(file)), scene_(&scene), faults_(&scene.faults) {}
 
 void ObjReader::read() {
   for (Token token = tokens_.next(); !token.at_end(); token = tokens_.next()) {
@@ -131,8 +130,7 @@ bool ObjReader::refuse(const Token& token, const std::string& problem) {
   return false;
 }
 
-template <std::size_t count>
-bool ObjReader::numbers(std::array<double, count>& values) {
+bool ObjReader::numbers(std::span<double> values) {
   for (double& value : values) {
     const Token token = tokens_.peek();
     const auto parsed = parse_number(token.text);
@@ -158,33 +156,11 @@ std::optional<std::int64_t> ObjReader::whole(std::int64_t low) {
 Value ObjReader::number(double value) const { return {value, here()}; }
 Value ObjReader::text(std::string value) const { return {std::move(value), here()}; }
 
-template <std::size_t count>
-Value ObjReader::list(const std::array<double, count>& values) const {
+Value ObjReader::list(std::span<const double> values) const {
   Value::List elements;
   for (const double value : values) elements.push_back(number(value));
   return {std::move(elements), here()};
 }
-
-bool ObjReader::vertex() {
-  std::array<double, 3> point{};
-  const bool good = numbers(point);
-  vertices_.push_back(point);  // also after a fault, so that the count of the others stays right
-  uv_of_.emplace_back();
-  return good;
-}
-
-bool ObjReader::texture_point() {
-  std::array<double, 2> point{};
-  const bool good = numbers(point);
-  uvs_.push_back(point);
-  if (!vertices_.empty()) {
-    uv_of_.back() = point;
-  } else if (good) {
-    faults_->add(here(), "'vt' comes before any 'v'", "it belongs to the last 'v' above it");
-  }
-  return good;
-}
-
 std::optional<ObjReader::Corner> ObjReader::corner() {
   const Token token = tokens_.peek();
   std::array<std::string_view, 3> parts;
@@ -230,141 +206,6 @@ bool ObjReader::corners(std::vector<Corner>& found, std::size_t low, std::size_t
   }
   return true;
 }
-
-Value ObjReader::polygon(const std::vector<Corner>& found) const {
-  Value::List points;
-  for (const Corner& one : found) points.push_back(list(vertices_[one.vertex]));
-  return {std::move(points), here()};
-}
-
-void ObjReader::add_object(Table table) {
-  if (pending_mass_) {
-    table.set("mass", std::move(pending_mass_->mass));
-    if (pending_mass_->center) table.set("center_of_mass", std::move(*pending_mass_->center));
-    pending_mass_.reset();
-  }
-  scene_->objects.push_back(std::move(table));
-  material_of_.push_back(material_);
-}
-
-bool ObjReader::face() {
-  std::vector<Corner> found;
-  if (!corners(found, 3, 4)) return false;
-  Table table{"quad", here(), {}};
-  table.set("vertices", polygon(found));
-  if (std::all_of(found.begin(), found.end(), [](const Corner& c) { return c.uv.has_value(); })) {
-    Value::List points;
-    for (const Corner& one : found) points.push_back(list(*one.uv));
-    table.set("texture_coordinates", {std::move(points), here()});
-  }
-  add_object(std::move(table));
-  return true;
-}
-
-bool ObjReader::sphere() {
-  std::array<double, 4> values{};
-  if (!numbers(values)) return false;
-  Table table{"sphere", here(), {}};
-  table.set("center", list(std::array<double, 3>{values[0], values[1], values[2]}));
-  table.set("radius", number(values[3]));
-  add_object(std::move(table));
-  return true;
-}
-
-bool ObjReader::ring() {
-  std::array<double, 6> values{};
-  if (!numbers(values)) return false;
-  const double height = values[3];
-  Table table{"ring", here(), {}};
-  table.set("base", list(std::array<double, 3>{values[0], values[1] - 0.5 * height, values[2]}));
-  table.set("height", number(height));
-  table.set("inner_radius", number(values[4]));
-  table.set("outer_radius", number(values[5]));
-  add_object(std::move(table));
-  return true;
-}
-
-bool ObjReader::portal() {
-  std::vector<Corner> found;
-  if (!corners(found, 4, 4)) return false;
-  const auto pair = whole(0);
-  if (!pair) return false;
-  Table table{"portal", here(), {}};
-  table.set("vertices", polygon(found));
-  portals_[*pair].push_back(scene_->objects.size());
-  add_object(std::move(table));
-  return true;
-}
-
-bool ObjReader::use_material() {
-  const auto index = whole(0);
-  if (!index) return false;
-  material_ = MaterialUse{*index, here()};
-  return true;
-}
-
-bool ObjReader::background() {
-  std::array<double, 3> color{};
-  if (!numbers(color)) return false;
-  if (has_background_) {
-    faults_->add(here(), "a second background_color", "give it once");
-  }
-  has_background_ = true;
-  for (double& channel : color) {
-    if (channel < 0.0 || channel > 1.0) {
-      faults_->add(here(), "background_color is sRGB, and outside 0 to 1",
-                   "give three numbers from 0 to 1");
-      return true;
-    }
-    channel = linear_from_srgb(channel);
-  }
-  scene_->environment.where = here();
-  scene_->environment.set("color", list(color));
-  return true;
-}
-
-bool ObjReader::mass() {
-  std::array<double, 1> value{};
-  if (!numbers(value)) return false;
-  Mass mass{number(value[0]), std::nullopt, here()};
-  if (parse_number(tokens_.peek().text)) {
-    std::array<double, 3> center{};
-    if (!numbers(center)) return false;
-    mass.center = list(center);
-  }
-  if (pending_mass_) {
-    faults_->add(pending_mass_->where, "a mass that no primitive follows",
-                 "write 'mass' just before the f, s, r or p that has it");
-  }
-  pending_mass_ = std::move(mass);
-  return true;
-}
-
-bool ObjReader::physics() {
-  const Token key = tokens_.peek();
-  if (key.at_end()) return refuse(key, "");
-  tokens_.next();
-  const Token word = tokens_.peek();
-  if (word.at_end() || begins_statement(word) || word.line != statement_.line) {
-    faults_->add(here(), "too few values after 'physics'", "write physics KEY VALUE");
-    return false;
-  }
-  tokens_.next();
-  Value value = text(std::string(word.text));
-  if (const auto integer = parse_integer(word.text)) {
-    value.data = *integer;
-  } else if (const auto real = parse_number(word.text)) {
-    value.data = *real;
-  } else if (word.text == "true" || word.text == "false") {
-    value.data = word.text == "true";
-  }
-  if (scene_->physics.find(key.text)) {
-    faults_->add(here(), "physics " + in_quotes(key.text) + " is given twice", "give it once");
-  }
-  scene_->physics.set(key.text, std::move(value));
-  return true;
-}
-
 void ObjReader::finish() {
   if (pending_mass_) {
     faults_->add(pending_mass_->where, "a mass that no primitive follows",
@@ -406,6 +247,7 @@ void ObjReader::finish_materials() {
 }
 
 void ObjReader::finish_portals() {
+  std::set<std::size_t> unpaired;
   for (const auto& [pair, members] : portals_) {
     if (members.size() != 2) {
       const std::string count = std::to_string(members.size());
@@ -413,6 +255,7 @@ void ObjReader::finish_portals() {
                    "pair " + std::to_string(pair) + " has " + count +
                        (members.size() == 1 ? " portal" : " portals"),
                    "two portals with the same number are a pair");
+      unpaired.insert(members.begin(), members.end());
       continue;
     }
     const std::string stem = "portal" + std::to_string(pair);
@@ -422,122 +265,10 @@ void ObjReader::finish_portals() {
       portal.set("pair", {stem + (i == 0 ? "b" : "a"), portal.where});
     }
   }
+  std::vector<Table> kept;
+  for (std::size_t i = 0; i < scene_->objects.size(); ++i) {
+    if (unpaired.count(i) == 0) kept.push_back(std::move(scene_->objects[i]));
+  }
+  scene_->objects = std::move(kept);
 }
-
-bool ObjReader::perspective_camera() { return camera("perspective", "angle", "fov"); }
-bool ObjReader::orthographic_camera() { return camera("orthographic", "size", "size"); }
-
-bool ObjReader::camera_mark(std::string_view mark) {
-  const Token token = tokens_.peek_part();
-  if (token.text != mark)
-    return refuse(token, in_quotes(token.text) + " where '" + std::string(mark) + "' should stand");
-  tokens_.next_part();
-  return true;
-}
-
-bool ObjReader::camera_entry(std::string_view size_word, const std::string& size_key) {
-  const Token word = tokens_.peek_part();
-  const std::string key = word.text == "camera_position"     ? "position"
-                          : word.text == "point_of_interest" ? "look_at"
-                          : word.text == "up"                ? "up"
-                          : word.text == size_word           ? size_key
-                                                             : "";
-  if (key.empty()) return refuse(word, in_quotes(word.text) + " is not a camera's");
-  if (scene_->camera.find(key)) return refuse(word, in_quotes(word.text) + " is given twice");
-  tokens_.next_part();
-  const bool is_point = key != size_key;
-  std::array<double, 3> point{};
-  if (is_point && !camera_mark("<")) return false;
-  for (std::size_t i = 0; i < (is_point ? 3 : 1); ++i) {
-    if (i > 0 && !camera_mark(",")) return false;
-    const Token token = tokens_.peek_part();
-    const auto parsed = parse_number(token.text);
-    if (!parsed) return refuse(token, in_quotes(token.text) + " is not a finite number");
-    point[i] = *parsed;
-    tokens_.next_part();
-  }
-  if (is_point && !camera_mark(">")) return false;
-  Value value = is_point ? list(point) : number(point[0]);
-  scene_->camera.set(key, std::move(value));
-  return true;
-}
-
-bool ObjReader::camera(const std::string& type, std::string_view size_word,
-                       const std::string& size_key) {
-  if (scene_->has_camera) {
-    faults_->add(here(), "a second camera", "give one");
-    return false;
-  }
-  scene_->has_camera = true;
-  scene_->camera.where = here();
-  if (!camera_mark("{")) return false;
-  while (tokens_.peek_part().text != "}") {
-    if (!camera_entry(size_word, size_key)) return false;
-  }
-  tokens_.next_part();
-  for (const std::string& key :
-       {std::string("position"), std::string("look_at"), std::string("up"), size_key}) {
-    if (!scene_->camera.find(key)) {
-      faults_->add(here(), "the camera lacks its " + key, "write " + std::string(current_->form));
-    }
-  }
-  scene_->camera.set("type", text(type));
-  if (type == "perspective") scene_->camera.set("fov_axis", text("smaller"));
-  return true;
-}
-
-bool ObjReader::material_entry(Table& table, std::string_view word) {
-  const std::string key(word == "texture_file" ? "diffuse" : word);
-  if (table.find(key)) return refuse(tokens_.peek(), "the material has two of " + in_quotes(word));
-  tokens_.next();
-  if (word == "texture_file") {
-    const Token name = tokens_.peek();
-    if (name.at_end()) return refuse(name, "");
-    tokens_.next();
-    table.set(key, {std::string(name.text), {file_, name.line}});
-    return true;
-  }
-  if (word == "roughness") {
-    std::array<double, 1> value{};
-    if (!numbers(value)) return false;
-    table.set(key, number(value[0]));
-    return true;
-  }
-  std::array<double, 3> color{};
-  if (!numbers(color)) return false;
-  if (word == "emitted") emits_ |= color != std::array<double, 3>{};
-  table.set(key, list(color));
-  return true;
-}
-
-bool ObjReader::material() {
-  constexpr std::array<std::string_view, 5> words{"diffuse", "texture_file", "reflective",
-                                                  "roughness", "emitted"};
-  Table table{"material", here(), {}};
-  table.set("name", text("material" + std::to_string(scene_->materials.size())));
-  bool good = true;
-  while (good) {
-    const Token word = tokens_.peek();
-    if (std::find(words.begin(), words.end(), word.text) == words.end()) break;
-    good = material_entry(table, word.text);
-  }
-  if (good) good = finish_material(table);
-  scene_->materials.push_back(std::move(table));  // also after a fault: the others keep their count
-  return good;
-}
-
-bool ObjReader::finish_material(Table& table) {
-  for (const std::string key : {"diffuse", "reflective", "emitted"}) {
-    if (table.find(key)) continue;
-    const std::string missing = key == "diffuse" ? "diffuse or texture_file" : key;
-    const Token next = tokens_.peek();
-    if (next.at_end() || begins_statement(next)) {
-      faults_->add(here(), "the material lacks " + missing, "write " + std::string(current_->form));
-      return false;
-    }
-    return refuse(next, in_quotes(next.text) + " where " + missing + " should stand");
-  }
-  return true;
-}
-
 }  // namespace portalens

@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,8 +21,7 @@ namespace portalens {
 /// statement, so that all the faults are found.
 class ObjReader {
  public:
-  ObjReader(std::string_view text, std::shared_ptr<const std::string> file, Scene& scene,
-            Faults& faults);
+  ObjReader(std::string_view text, std::shared_ptr<const std::string> file, Scene& scene);
 
   void read();
 
@@ -65,6 +65,7 @@ class ObjReader {
   bool physics();
 
   bool camera(const std::string& type, std::string_view size_word, const std::string& size_key);
+  bool camera_entries(std::string_view size_word, const std::string& size_key);
   bool camera_entry(std::string_view size_word, const std::string& size_key);
   bool camera_mark(std::string_view mark);
   bool material_entry(Table& table, std::string_view word);
@@ -73,8 +74,7 @@ class ObjReader {
   // Tokens. Each adds the fault itself.
   [[nodiscard]] bool begins_statement(const Token& token) const;
   bool refuse(const Token& token, const std::string& problem);
-  template <std::size_t count>
-  bool numbers(std::array<double, count>& values);
+  bool numbers(std::span<double> values);
   std::optional<std::int64_t> whole(std::int64_t low);
   std::optional<Corner> corner();
   bool corners(std::vector<Corner>& list, std::size_t low, std::size_t high);
@@ -83,8 +83,7 @@ class ObjReader {
   [[nodiscard]] Location here() const { return {file_, statement_.line}; }
   [[nodiscard]] Value number(double value) const;
   [[nodiscard]] Value text(std::string value) const;
-  template <std::size_t count>
-  [[nodiscard]] Value list(const std::array<double, count>& values) const;
+  [[nodiscard]] Value list(std::span<const double> values) const;
   [[nodiscard]] Value polygon(const std::vector<Corner>& list) const;
   void add_object(Table table);
 
@@ -110,6 +109,7 @@ class ObjReader {
   std::map<std::int64_t, std::vector<std::size_t>> portals_;  ///< by pair: indices into objects
   bool emits_ = false;
   bool has_background_ = false;
+  bool has_camera_ = false;
 };
 
 }  // namespace portalens

@@ -49,11 +49,10 @@ Scene read_scene(const std::filesystem::path& file) {
   if (text && text->empty()) faults.add(whole, "the file is empty", "describe a scene in it");
   faults.raise();
   if (suffix == ".toml") {
-    read_toml(*text, name, scene, faults);
+    read_toml(*text, name, scene);
   } else {
-    read_obj(*text, name, scene, faults);
+    read_obj(*text, name, scene);
   }
-  faults.raise();
   return scene;
 }
 

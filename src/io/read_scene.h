@@ -10,7 +10,9 @@
 
 namespace portalens {
 
-/// @throws SceneError if the file can't be read or isn't well-formed
+/// What is wrong with single statements or tables is left in `Scene::faults`, for `compile` to tell
+/// together with what it finds.
+/// @throws SceneError if the file can't be read, or if nothing after the fault could be
 [[nodiscard]] Scene read_scene(const std::filesystem::path& file);
 
 /// Sets `section.key` to a value written as in TOML ("physics.tolerance=1e-5"), as if the file said

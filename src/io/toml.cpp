@@ -85,8 +85,8 @@ class Converter {
 /// Sorts the tables of a file into a scene.
 class Sorter {
  public:
-  Sorter(Scene& scene, const File& file, Faults& faults)
-      : scene_(&scene), faults_(&faults), convert_(file, faults) {}
+  Sorter(Scene& scene, const File& file)
+      : scene_(&scene), faults_(&scene.faults), convert_(file, scene.faults) {}
 
   void sort(const toml::table& root) {
     for (const auto& [key, node] : by_place(root)) {
@@ -192,15 +192,17 @@ bool shallow_enough(std::string_view text, const File& file, Faults& faults) {
 
 }  // namespace
 
-void read_toml(std::string_view text, const File& name, Scene& scene, Faults& faults) {
-  if (!shallow_enough(text, name, faults)) return;
+void read_toml(std::string_view text, const File& name, Scene& scene) {
+  Faults faults;
+  shallow_enough(text, name, faults);
+  faults.raise();
   try {
     const toml::table root = toml::parse(text, std::string_view(*name));
-    Sorter(scene, name, faults).sort(root);
+    Sorter(scene, name).sort(root);
   } catch (const toml::parse_error& error) {
-    faults.add({name, line_of(error.source())},
-               "this is not TOML: " + std::string(error.description()),
-               "mend this first; what follows it has not been read");
+    throw SceneError({{{name, line_of(error.source())},
+                       "this is not TOML: " + std::string(error.description()),
+                       "mend this first; what follows it has not been read"}});
   }
 }
 

@@ -19,6 +19,9 @@ struct Scene {
   std::vector<Table> objects;
   /// No camera in the file: look at the bounding box from +z.
   bool has_camera = false;
+  /// What the reader found wrong and could read on after; `compile` adds its own and throws them
+  /// all.
+  Faults faults;
   /// Things a user should know that are not mistakes; `check` prints them.
   std::vector<std::string> notes;
 };

@@ -92,7 +92,7 @@ Box extent_of(const Objects& objects) {
 }  // namespace
 
 World compile(const Scene& scene, const CompileOptions& options) {
-  Faults faults;
+  Faults faults = scene.faults;
   Names names;
   ImageStore images(options.files, faults);
   const ImageLoader load = images.loader(scene.file);
