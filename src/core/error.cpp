@@ -32,9 +32,9 @@ std::vector<Fault> sorted(std::vector<Fault> faults) {
 
 std::string to_string(const Fault& fault) {
   std::string text = file_of(fault.where);
-  if (fault.where.line > 0) text += ":" + std::to_string(fault.where.line);
-  text += ": " + fault.problem;
-  if (!fault.remedy.empty()) text += "; " + fault.remedy;
+  if (fault.where.line > 0) text.append(":").append(std::to_string(fault.where.line));
+  text.append(": ").append(fault.problem);
+  if (!fault.remedy.empty()) text.append("; ").append(fault.remedy);
   return text;
 }
 

@@ -28,7 +28,8 @@ class Tracer {
 
   [[nodiscard]] Arrival advance(const Photon& photon, Journey* journey) {
     state_ = {photon.position, photon.direction};
-    start_ = {photon.departure, 0.0};
+    start_ = PathStart{};
+    start_.departure = photon.departure;
     arrival_ = Arrival{};
     crossings_ = 0;
     free_length_ = 0.0;
@@ -368,9 +369,7 @@ class Tracer {
     arrival_.length += distance;
     arrival_.turning += turned + extra_turning_;
     extra_turning_ = 0.0;
-    start_.departure.reach -= distance;
-    if (start_.departure.reach <= 0.0) start_.departure = Departure{};
-    start_.skip_surfaces = std::fmax(0.0, start_.skip_surfaces - distance);
+    start_ = start_.after(distance);
     restless_ = true;
     if (journey_) journey_->stretches.back().push_back(state_.position);
   }
@@ -409,7 +408,7 @@ class Tracer {
     arrival_.tint = arrival_.tint * portal.tint;
     state_ = {portal.through.move(state_.position), portal.through.rotate(state_.direction)};
     const Portal& other = space_.portals.portals()[portal.pair];
-    start_ = {Departure{}, other.height_tolerance()};
+    start_ = {Departure{}, other.height_tolerance(), met.object, 1e-6 * other.longest_edge};
     free_length_ = 0.0;
     restless_ = true;
     arrival_.object = no_object;

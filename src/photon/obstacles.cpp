@@ -3,22 +3,11 @@
 #include <cmath>
 
 namespace portalens {
-namespace {
-
-/// A path starting at `s` of the curve sees the rest of the departure's reach.
-PathStart later(PathStart start, double s) {
-  start.departure.reach -= s;
-  if (start.departure.reach < 0.0) start.departure = Departure{};
-  start.skip_surfaces = std::fmax(0.0, start.skip_surfaces - s);
-  return start;
-}
-
-}  // namespace
 
 std::optional<Encounter> Obstacles::first(const Ray& ray, double high,
                                           const PathStart& start) const {
   std::optional<Encounter> found;
-  if (const auto portal = portals_.nearest(ray, 0.0, high)) {
+  if (const auto portal = portals_.nearest(ray, 0.0, high, start.entered, start.entered_reach)) {
     found = Encounter{portal->distance,
                       portal->side == PortalSide::front ? Encounter::Kind::portal_front
                                                         : Encounter::Kind::portal_back,
@@ -54,7 +43,7 @@ std::optional<Encounter> Obstacles::in_piece(const Curve& curve, const Piece& pi
   const double finest = 1e-13 * (length(piece.x0) + chord_length);
   if (sagitta <= std::fmax(flatness, finest)) {
     const auto found =
-        first(Ray{piece.x0, along / chord_length}, chord_length, later(start, piece.s0));
+        first(Ray{piece.x0, along / chord_length}, chord_length, start.after(piece.s0));
     if (!found || sagitta <= finest) {
       if (!found) return std::nullopt;
       Encounter at = *found;

@@ -2,6 +2,7 @@
 /// The first surface or portal that a curve meets.
 #pragma once
 
+#include <cmath>
 #include <optional>
 
 #include "geometry/accelerator.h"
@@ -21,8 +22,21 @@ struct Encounter {
 
 /// Where a path began, and what it may not meet at once.
 struct PathStart {
-  Departure departure;         ///< `reach` counted from the start of the curve
-  double skip_surfaces = 0.0;  ///< surfaces nearer than this are part of the portal just left
+  Departure departure;                ///< `reach` counted from the start of the curve
+  double skip_surfaces = 0.0;         ///< nearer surfaces are part of the portal just left
+  std::uint32_t entered = no_portal;  ///< the portal just entered: not met again within
+  double entered_reach = 0.0;         ///< this length of path
+
+  /// The same for the rest of the path, after `length` of it.
+  [[nodiscard]] PathStart after(double length) const {
+    PathStart rest = *this;
+    rest.departure.reach -= length;
+    if (rest.departure.reach <= 0.0) rest.departure = Departure{};
+    rest.skip_surfaces = std::fmax(0.0, skip_surfaces - length);
+    rest.entered_reach -= length;
+    if (rest.entered_reach <= 0.0) rest.entered = no_portal;
+    return rest;
+  }
 };
 
 /// Surfaces and portals of a scene, asked along curves. Borrows both.

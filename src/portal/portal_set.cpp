@@ -60,16 +60,19 @@ std::optional<double> PortalSet::contact_near(std::uint32_t index, const Ray& ra
   return distance;
 }
 
-std::optional<PortalContact> PortalSet::nearest(const Ray& ray, double low, double high) const {
+std::optional<PortalContact> PortalSet::nearest(const Ray& ray, double low, double high,
+                                                std::uint32_t underfoot, double within) const {
   std::optional<PortalContact> best;
   for (std::uint32_t i = 0; i < portals_.size(); ++i) {
     const Portal& portal = portals_[i];
     const double slope = dot(ray.direction, portal.frame.normal);
     if (slope == 0.0 || (slope > 0.0 && !portal.back_material)) continue;
     double distance = -dot(ray.origin - portal.frame.origin, portal.frame.normal) / slope;
-    // A point within the tolerance behind the plane still counts as in front.
-    if (slope < 0.0 && distance < low && (distance - low) * slope <= portal.height_tolerance())
-      distance = low;
+    // Paths come in pieces: what rounding put behind the plane at a joint is met there.
+    const double rounding =
+        1e-15 * (length(ray.origin) + length(portal.frame.origin) + portal.longest_edge);
+    if (distance < low && (low - distance) * std::fabs(slope) <= rounding) distance = low;
+    if (i == underfoot && distance <= within) continue;
     if (!(distance >= low && distance <= high) || (best && distance >= best->distance)) continue;
     if (margin(portal, portal.frame.to_local(ray.at(distance))) < -1e-12 * portal.longest_edge)
       continue;

@@ -12,6 +12,8 @@
 
 namespace portalens {
 
+inline constexpr std::uint32_t no_portal = 0xffffffffu;
+
 enum class PortalSide : std::uint8_t { front, back };
 
 struct PortalContact {
@@ -31,7 +33,11 @@ class PortalSet {
 
   /// The nearest front, or back with a material, at low <= distance <= high. A front is met only by
   /// a ray that goes against its normal, so one that has just left through it doesn't meet it.
-  [[nodiscard]] std::optional<PortalContact> nearest(const Ray& ray, double low, double high) const;
+  /// @param underfoot  where a pair's members lie in one place, the portal just entered is still
+  ///                   there: not met at distances up to `within`
+  [[nodiscard]] std::optional<PortalContact> nearest(const Ray& ray, double low, double high,
+                                                     std::uint32_t underfoot = no_portal,
+                                                     double within = 0.0) const;
   /// A lower bound of the distance from `x` to any portal, at most `limit`.
   [[nodiscard]] double clearance(Vec3d x, double limit) const;
   /// False only if no portal lies within `radius` of the segment.

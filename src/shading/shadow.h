@@ -9,8 +9,6 @@
 
 namespace portalens {
 
-inline constexpr std::uint32_t no_portal = 0xffffffffu;
-
 /// Light that reaches the film if nothing is in its straight way.
 struct ShadowQuery {
   Vec3d from;                          ///< the point that is lit

@@ -57,11 +57,11 @@ INSTANTIATE_TEST_SUITE_P(Tolerances, ToleranceHolds,
                          testing::Values(1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9));
 
 TEST(ClosedForms, WeakDeflectionIsTwoMOverB) {
-  const Space space = one_mass(1e-9, 0.0);
-  const double b = 3e4 * m;
-  const Arrival arrival = advance_one(space, photon_at({-9e5, b, 0}, {1, 0, 0}));
+  const Space space = one_mass(1e-7, 0.0);
+  const double b = 1000.0 * m;
+  const Arrival arrival = advance_one(space, photon_at({-1e5, b, 0}, {1, 0, 0}));
   ASSERT_EQ(arrival.fate, Fate::escaped);
-  EXPECT_NEAR(arrival.turning / (2.0 * m / b), 1.0, 2e-3);
+  EXPECT_NEAR(arrival.turning / (2.0 * m / b), 1.0, 3e-3) << arrival.length;
 }
 
 TEST(ClosedForms, BouguersInvariantIsConservedAlongThePath) {
@@ -74,9 +74,10 @@ TEST(ClosedForms, BouguersInvariantIsConservedAlongThePath) {
     ASSERT_EQ(arrival.fate, Fate::escaped);
     const Vec3d x = arrival.position, t = arrival.direction;
     EXPECT_NEAR(length(cross(x, t)) / (share * m), 1.0, 1e-9) << share;
-    // Inside: restart from recorded points would need directions; halve the way by a fence instead.
-    Photon photon = photon_at({-500, share * m, 0}, {1, 0, 0});
+    // On the way: what a fence of that radius stops.
+    const Photon photon = photon_at({-500, share * m, 0}, {1, 0, 0});
     for (double fence : {300.0, 30.0, 8.0}) {
+      if (fence < share * m) continue;
       const Physics physics = space.physics;
       const Sphere wall{{0, 0, 0}, fence};
       const Space fenced = space_with(physics, space.masses, {wall});
