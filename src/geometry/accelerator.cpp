@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geometry/box_tree.h"
+#include "geometry/contacts.h"
 #include "geometry/polygon.h"
 #include "geometry/slab.h"
 
@@ -39,6 +40,16 @@ struct Search {
     if (!best || comes_before(hit, *best)) best = hit, high = hit.distance;
   }
 };
+
+/// False only if the triangle is farther than `radius` from the segment.
+bool triangle_near(const Mesh& mesh, std::uint32_t face, const Segment& segment, double radius) {
+  const auto corners = mesh.triangle(face);
+  const Vec3d from_axis = corners[0] - closest_on_segment(segment.a, segment.b, corners[0]);
+  const Vec3d ab = corners[1] - corners[0], ac = corners[2] - corners[0];
+  const double reach = radius + std::sqrt(std::max(dot(ab, ab), dot(ac, ac)));
+  if (dot(from_axis, from_axis) > reach * reach) return false;
+  return polygon_clearance(corners, mesh.normal(face), segment) <= radius;
+}
 
 }  // namespace
 
@@ -98,15 +109,15 @@ Accelerator::Implementation::Implementation(std::vector<Shape> all) : shapes(std
 
 bool Accelerator::Implementation::left_behind(const Search& search, const SurfaceHit& hit) const {
   const Departure& departure = search.departure;
-  if (hit.shape != departure.shape || !(hit.distance <= departure.reach)) return false;
-  if (hit.face != departure.face) {
-    const Box& box = boxes[hit.shape];
-    const double rounding = 1e-12 * (box.diagonal() + length(box.middle()));
-    if (!(hit.distance <= rounding)) return false;
-  }
-  const Vec3d normal =
-      surface_at(hit.shape, hit.face, search.ray.at(hit.distance)).geometric_normal;
-  return dot(search.ray.direction, normal) * departure.side > 0.0;
+  if (hit.shape != departure.shape) return false;
+  const Ray& ray = search.ray;
+  const Vec3d normal = surface_at(hit.shape, hit.face, ray.at(hit.distance)).geometric_normal;
+  const double slope = dot(ray.direction, normal);
+  if (!(slope * departure.side > 0.0)) return false;
+  if (hit.face == departure.face && hit.distance <= departure.reach) return true;
+  const Box& box = boxes[hit.shape];
+  const double rounding = rounding_at(ray.origin, box.middle()) + 1e-14 * box.diagonal();
+  return hit.distance * std::fabs(slope) <= rounding;
 }
 
 void Accelerator::Implementation::try_plain(Search& search, std::uint32_t shape) const {
@@ -183,7 +194,8 @@ double Accelerator::clearance(Vec3d x, double limit) const {
       continue;
     }
     mesh.tree.around(x, least, [&](std::uint32_t face) {
-      const Vec3d point = closest_on_polygon(mesh.mesh->triangle(face), mesh.mesh->normal(face), x);
+      const auto [a, b, c] = mesh.mesh->triangle(face);
+      const Vec3d point = closest_on_triangle(a, b, c, x);
       return least = std::min(least, length(x - point));
     });
   }
@@ -209,12 +221,11 @@ bool Accelerator::near(const Segment& segment, double radius) const {
     if (!(first <= last)) continue;
     const Segment part{ray.at(first), ray.at(last)};
     bool found = false;
-    mesh.tree.around((part.a + part.b) * 0.5, 0.5 * (last - first) + radius,
-                     [&](std::uint32_t face) {
-                       found = found || polygon_clearance(mesh.mesh->triangle(face),
-                                                          mesh.mesh->normal(face), part) <= radius;
-                       return found ? 0.0 : infinity;
-                     });
+    const auto try_triangle = [&](std::uint32_t face) {
+      found = found || triangle_near(*mesh.mesh, face, part, radius);
+      return found ? 0.0 : infinity;
+    };
+    mesh.tree.around((part.a + part.b) * 0.5, 0.5 * (last - first) + radius, try_triangle);
     if (found) return true;
   }
   return false;

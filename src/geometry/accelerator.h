@@ -46,8 +46,9 @@ class Accelerator {
   [[nodiscard]] const std::vector<Shape>& shapes() const;
   [[nodiscard]] const Box& bounds() const;
 
-  /// The nearest contact at low <= distance <= high. Within rounding of the start the departure
-  /// holds for the other faces of its shape too: a path may start on an edge.
+  /// The nearest contact at low <= distance <= high. The departure holds for any face of its shape
+  /// and beyond its reach where the ray started no more than rounding away from that face: a path
+  /// may start on an edge, or graze.
   [[nodiscard]] std::optional<SurfaceHit> nearest(const Ray& ray, double low, double high,
                                                   const Departure& departure = {}) const;
   /// Whether anything lies at low <= distance <= high.

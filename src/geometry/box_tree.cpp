@@ -29,15 +29,15 @@ struct BuildInput {
 
 struct Walk {
   RTCIntersectContext base;  // first, so that Embree's pointer to it is one to the whole
-  void* visit;
-  double (*call)(void*, std::uint32_t);
+  const void* visit;
+  double (*call)(const void*, std::uint32_t);
   double start;
   double slack;
 };
 
 struct PointSearch {
-  void* visit;
-  double (*call)(void*, std::uint32_t);
+  const void* visit;
+  double (*call)(const void*, std::uint32_t);
   double slack;
 };
 
@@ -132,7 +132,7 @@ BoxTree::~BoxTree() = default;
 BoxTree::BoxTree(BoxTree&&) noexcept = default;
 BoxTree& BoxTree::operator=(BoxTree&&) noexcept = default;
 
-void BoxTree::walk(const Ray& ray, double low, double high, void* visit, Call call) const {
+void BoxTree::walk(const Ray& ray, double low, double high, const void* visit, Call call) const {
   if (bounds_.empty() || !is_finite(ray.origin) || !is_finite(ray.direction)) return;
   const auto [first, last] = Slab(ray).clip(bounds_.grown(slack_), low, high);
   if (!(first <= last)) return;
@@ -153,7 +153,7 @@ void BoxTree::walk(const Ray& ray, double low, double high, void* visit, Call ca
   rtcIntersect1(implementation_->scene, &walk.base, &query);
 }
 
-void BoxTree::search(Vec3d x, double radius, void* visit, Call call) const {
+void BoxTree::search(Vec3d x, double radius, const void* visit, Call call) const {
   if (bounds_.empty() || !is_finite(x) || !(bounds_.distance(x) <= radius)) return;
   const Vec3d from = x - middle_;
   const double slack = slack_ + float_loss * length(from);

@@ -6,7 +6,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <type_traits>
 
 #include "geometry/ray.h"
 
@@ -51,30 +50,30 @@ class BoxTree {
   /// and roughly the near ones first. It returns the new `high`, not above the last; below `low`
   /// ends the walk soon.
   template <class Visit>
-  void along(const Ray& ray, double low, double high, Visit&& visit) const {
-    walk(ray, low, high, &visit, &forward<std::remove_reference_t<Visit>>);
+  void along(const Ray& ray, double low, double high, const Visit& visit) const {
+    walk(ray, low, high, &visit, &forward<Visit>);
   }
 
   /// Calls `visit(item)` for the items within `radius` of `x`, and some others. It returns the new
   /// radius, not above the last; 0 or less ends the walk soon.
   /// @pre `x` is within 1e6 diagonals of the tree; `radius` may be infinite
   template <class Visit>
-  void around(Vec3d x, double radius, Visit&& visit) const {
-    search(x, radius, &visit, &forward<std::remove_reference_t<Visit>>);
+  void around(Vec3d x, double radius, const Visit& visit) const {
+    search(x, radius, &visit, &forward<Visit>);
   }
 
  private:
   using GetBox = Box (*)(const void*, std::uint32_t);
-  using Call = double (*)(void*, std::uint32_t);
+  using Call = double (*)(const void*, std::uint32_t);
   struct Implementation;
 
   BoxTree(const TreeBuilder& builder, std::uint32_t count, const void* function, GetBox get_box);
   template <class Visit>
-  static double forward(void* visit, std::uint32_t item) {
-    return (*static_cast<Visit*>(visit))(item);
+  static double forward(const void* visit, std::uint32_t item) {
+    return (*static_cast<const Visit*>(visit))(item);
   }
-  void walk(const Ray& ray, double low, double high, void* visit, Call call) const;
-  void search(Vec3d x, double radius, void* visit, Call call) const;
+  void walk(const Ray& ray, double low, double high, const void* visit, Call call) const;
+  void search(Vec3d x, double radius, const void* visit, Call call) const;
 
   Box bounds_;
   Vec3d middle_;

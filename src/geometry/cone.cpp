@@ -58,9 +58,10 @@ std::optional<Contact> Cone::intersect(const Ray& world, double low, double high
   NearestContact nearest(low, high);
   const double from = c * axis_distance(o) - s * below;
   const double to = c * axis_distance(o) + s * below;
-  for (const double distance :
-       roots(c * c * (d.x * d.x + d.z * d.z) - s * s * d.y * d.y,
-             c * c * (o.x * d.x + o.z * d.z) + s * s * below * d.y, from * to)) {
+  const double square = c * c * (d.x * d.x + d.z * d.z) - s * s * d.y * d.y;
+  const double twist = c * c * (o.x * d.x + o.z * d.z) + s * s * below * d.y;
+  const double tolerance = 2.0 * std::fabs(square) * c * radius_ * ray.rounding;
+  for (const double distance : roots(square, twist, from * to, tolerance)) {
     const double height = o.y + d.y * distance;
     if (within(std::fabs(height), half_, slant)) nearest.consider(ray.offset + distance, 0);
   }

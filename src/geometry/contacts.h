@@ -33,19 +33,33 @@ class NearestContact {
 struct CenteredRay {
   Vec3d origin, direction;
   double offset = 0.0;
+  double rounding = 0.0;  ///< by how much positions may be off
 
-  CenteredRay(Vec3d local_origin, Vec3d local_direction)
-      : direction(local_direction), offset(-dot(local_origin, local_direction)) {
+  CenteredRay(Vec3d local_origin, Vec3d local_direction, double rounding_of_positions)
+      : direction(local_direction),
+        offset(-dot(local_origin, local_direction)),
+        rounding(rounding_of_positions) {
     origin = local_origin + direction * offset;
   }
   [[nodiscard]] Vec3d at(double distance) const { return origin + direction * distance; }
 };
 
-/// Roots of a t² + 2 b t + c, without cancellation; a touch counts as two equal roots. Those that
-/// don't exist are not a number or infinite.
-[[nodiscard]] inline std::array<double, 2> roots(double a, double b, double c) {
+/// How far off the positions of a ray and a shape may be, by rounding.
+///
+/// A ray that misses a round surface by no more than that touches it: otherwise light that grazes
+/// the inside of a sphere far from the origin would find itself outside after a bounce, and escape.
+[[nodiscard]] inline double rounding_at(Vec3d origin, Vec3d middle) {
+  const auto size = [](Vec3d p) { return std::fabs(p.x) + std::fabs(p.y) + std::fabs(p.z); };
+  return 1e-15 * (size(origin) + size(middle));
+}
+
+/// Roots of a t² + 2 b t + c, without cancellation; those that don't exist are not a number or
+/// infinite.
+/// @param tolerance  b² - a c may be so far below 0, or lost in rounding, for a touch: two equal
+///                   roots
+[[nodiscard]] inline std::array<double, 2> roots(double a, double b, double c, double tolerance) {
   double square = b * b - a * c;
-  if (square < 0.0 && square > -1e-15 * (b * b + std::fabs(a * c))) square = 0.0;
+  if (square < 0.0 && square >= -tolerance - 1e-15 * (b * b + std::fabs(a * c))) square = 0.0;
   const double root = std::sqrt(square);
   const double q = b < 0.0 ? root - b : -root - b;
   return {q / a, c / q};

@@ -18,7 +18,8 @@ class Pose {
   [[nodiscard]] Vec3d to_local(Vec3d point) const { return motion_.move_back(point); }
   [[nodiscard]] Vec3d to_world(Vec3d local) const { return motion_.move(local); }
   [[nodiscard]] CenteredRay to_local(const Ray& ray) const {
-    return {to_local(ray.origin), motion_.rotate_back(ray.direction)};
+    return {to_local(ray.origin), motion_.rotate_back(ray.direction),
+            rounding_at(ray.origin, middle())};
   }
   /// A direction of the solid's own coordinates, in the world's.
   [[nodiscard]] Vec3d turned(Vec3d local_direction) const {

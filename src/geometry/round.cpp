@@ -15,7 +15,7 @@ void consider_wall(NearestContact& nearest, const CenteredRay& ray, double radiu
   const double a = d.x * d.x + d.z * d.z;
   const double b = o.x * d.x + o.z * d.z;
   const double c = (axis_distance(o) - radius) * (axis_distance(o) + radius);
-  for (const double distance : roots(a, b, c)) {
+  for (const double distance : roots(a, b, c, 2.0 * a * radius * ray.rounding)) {
     const double height = std::fabs(o.y + d.y * distance);
     if (within(height, half, std::fmax(half, radius)))
       nearest.consider(ray.offset + distance, face);

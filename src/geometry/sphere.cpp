@@ -30,8 +30,8 @@ std::optional<Contact> Sphere::intersect(const Ray& ray, double low, double high
   const double b = dot(from, ray.direction);
   const Vec3d closest = from - ray.direction * b;
   const double square = radius_ * radius_ - dot(closest, closest);
-  if (!(square >= 0.0)) return std::nullopt;
-  const double root = std::sqrt(square);
+  if (!(square >= -2.0 * radius_ * rounding_at(ray.origin, center_))) return std::nullopt;
+  const double root = std::sqrt(std::max(0.0, square));
   const double c = (length(from) - radius_) * (length(from) + radius_);
   const double large = b < 0.0 ? root - b : -root - b;
   NearestContact nearest(low, high);
