@@ -31,7 +31,7 @@ GravitonMapCoupling::GravitonMapCoupling(const CouplingInput& input) : exact_(in
 CouplingCost GravitonMapCoupling::cost(const CouplingInput& input) {
   if (input.depth == 0) return {};
   const double nodes = static_cast<double>(input.graviton_resolution) * input.graviton_resolution;
-  return {static_cast<double>(input.portals.size()),
+  return {5.0 * static_cast<double>(input.portals.size()),
           nodes * ClosestPointCoupling::cost(input).each_call};
 }
 

@@ -125,6 +125,18 @@ bool cornered(const Polyline& way, double size) {
   return false;
 }
 
+/// The length is convex, so it lies above its tangent plane everywhere.
+/// @pre all slides end
+double least_possible(const Polyline& way, double size, double blur) {
+  const Slope slope = slope_of(way, blur);
+  double least = size - blur * static_cast<double>(way.count + 1);
+  for (std::size_t i = 0; i < way.count; ++i) {
+    const double g = slope.gradient[i];
+    least += g * ((g > 0.0 ? way.slides[i].low : way.slides[i].high) - way.places[i]);
+  }
+  return least;
+}
+
 }  // namespace
 
 double best_place(const Slide& slide, Vec3d a, Vec3d b) {
@@ -138,19 +150,21 @@ double best_place(const Slide& slide, Vec3d a, Vec3d b) {
 
 double Polyline::total() const { return total_length(*this, 0.0); }
 
-void shorten(Polyline& way) {
+bool shorten(Polyline& way, double limit) {
   const int sweeps = way.count > 1 ? 2 : 1;
   for (int sweep = 0; sweep < sweeps; ++sweep)
     for (std::size_t i = 0; i < way.count; ++i)
       way.places[i] = best_place(way.slides[i], i == 0 ? way.from : way.point(i - 1),
                                  i + 1 < way.count ? way.point(i + 1) : way.to);
-  if (way.count < 2) return;
-  const double size = way.total();
+  if (way.count < 2) return true;
+  const double size = way.total(), blur = 1e-14 * size;
+  if (size > limit && least_possible(way, size, blur) > limit) return false;
   if (cornered(way, size)) {
-    for (double blur = 1e-2; blur > 1e-11; blur *= 1e-2) descend(way, blur * size);
+    for (double coarse = 1e-2; coarse > 1e-11; coarse *= 1e-2) descend(way, coarse * size);
   } else {
-    descend(way, 1e-14 * size);
+    descend(way, blur);
   }
+  return true;
 }
 
 }  // namespace portalens

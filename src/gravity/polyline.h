@@ -38,6 +38,7 @@ struct Polyline {
 
 /// Moves the places to where the polyline is shortest, from any finite ones. The length is convex
 /// in the places: projected Newton steps on its tridiagonal Hessian.
-void shorten(Polyline& way);
+/// @return false if it gave up because the polyline can't be shorter than `limit`
+bool shorten(Polyline& way, double limit);
 
 }  // namespace portalens

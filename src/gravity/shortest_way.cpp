@@ -28,7 +28,25 @@ Passage rim_passage(const PortalFace& face, std::uint32_t edge, double place) {
   return {Passage::Kind::edge, edge};
 }
 
-/// One face: straight, or the best of its edges, each turned flat.
+/// The best way over one edge, turned flat about it; ends in the face's coordinates.
+struct EdgeWay {
+  double length, place;
+};
+
+EdgeWay over_edge(const FaceEdge& edge, Vec3d a, Vec3d b) {
+  const double along_a = edge.along(a.x, a.y), along_b = edge.along(b.x, b.y);
+  const double outside_a = edge.outside(a.x, a.y), outside_b = edge.outside(b.x, b.y);
+  const double square_a = outside_a * outside_a + a.z * a.z;
+  const double square_b = outside_b * outside_b + b.z * b.z;
+  const double off_a = std::sqrt(square_a), off_b = std::sqrt(square_b);
+  const double off = off_a + off_b;
+  const double free = off > 0.0 ? (along_a * off_b + along_b * off_a) / off : along_a;
+  const double place = std::clamp(free, 0.0, edge.length);
+  const double to_a = place - along_a, to_b = place - along_b;
+  return {std::sqrt(square_a + to_a * to_a) + std::sqrt(square_b + to_b * to_b), place};
+}
+
+/// One face: straight, or the best of its edges.
 bool shortest_by_one(Vec3d from, Vec3d to, const PortalFace& face, double limit, Passage& out) {
   const Vec3d a = face.frame().to_local(from), b = face.frame().to_local(to);
   if (straight_through(face, a, b) >= 0.0) {
@@ -39,22 +57,12 @@ bool shortest_by_one(Vec3d from, Vec3d to, const PortalFace& face, double limit,
   double best = limit;
   bool found = false;
   for (std::uint32_t i = 0; i < face.edges().size(); ++i) {
-    const FaceEdge& edge = face.edges()[i];
-    const double along_a = edge.along(a.x, a.y), along_b = edge.along(b.x, b.y);
-    const double outside_a = edge.outside(a.x, a.y), outside_b = edge.outside(b.x, b.y);
-    const double square_a = outside_a * outside_a + a.z * a.z;
-    const double square_b = outside_b * outside_b + b.z * b.z;
-    const double off_a = std::sqrt(square_a), off_b = std::sqrt(square_b);
-    const double off = off_a + off_b;
-    const double free = off > 0.0 ? (along_a * off_b + along_b * off_a) / off : along_a;
-    const double place = std::clamp(free, 0.0, edge.length);
-    const double to_a = place - along_a, to_b = place - along_b;
-    const double way = std::sqrt(square_a + to_a * to_a) + std::sqrt(square_b + to_b * to_b);
-    const Passage passage = rim_passage(face, i, place);
+    const EdgeWay way = over_edge(face.edges()[i], a, b);
+    const Passage passage = rim_passage(face, i, way.place);
     const bool between_insides =
         found && passage.kind == Passage::Kind::edge && out.kind == Passage::Kind::edge;
-    if (!(way < best * (between_insides ? 1.0 - tie : 1.0))) continue;
-    best = way;
+    if (!(way.length < best * (between_insides ? 1.0 - tie : 1.0))) continue;
+    best = way.length;
     out = passage;
     found = true;
   }
@@ -65,13 +73,14 @@ bool shortest_by_one(Vec3d from, Vec3d to, const PortalFace& face, double limit,
 class Search {
  public:
   Search(Vec3d from, Vec3d to, FaceRow faces, double limit, Passages& best)
-      : faces_(faces), limit_(limit), best_(best) {
+      : faces_(faces), cutoff_(limit), best_(best) {
     way_.from = from;
     way_.to = to;
     choice_.fill(open);
   }
 
   [[nodiscard]] bool run() {
+    guess();
     explore();
     return found_;
   }
@@ -86,9 +95,38 @@ class Search {
     std::size_t next = max_chain;
   };
 
+  /// Bounds the search by the length of some allowed way: each face in turn is passed as is best
+  /// between its neighbours.
+  void guess() {
+    std::array<Vec3d, max_chain> points;
+    for (std::size_t i = 0; i < faces_.size(); ++i) points[i] = faces_[i]->frame().origin;
+    for (int sweep = 0; sweep < 2; ++sweep)
+      for (std::size_t i = 0; i < faces_.size(); ++i) {
+        const PortalFace& face = *faces_[i];
+        const Vec3d& before = i > 0 ? points[i - 1] : way_.from;
+        const Vec3d& after = i + 1 < faces_.size() ? points[i + 1] : way_.to;
+        const Vec3d a = face.frame().to_local(before), b = face.frame().to_local(after);
+        const double t = straight_through(face, a, b);
+        choice_[i] = t >= 0.0 ? open : 0;
+        points[i] = before + (after - before) * t;
+        if (t >= 0.0) continue;
+        double least = std::numeric_limits<double>::infinity();
+        for (std::uint32_t e = 0; e < face.edges().size(); ++e) {
+          const EdgeWay way = over_edge(face.edges()[e], a, b);
+          if (!(way.length < least)) continue;
+          least = way.length;
+          choice_[i] = static_cast<std::int32_t>(e);
+          points[i] = face.edges()[e].start + face.edges()[e].direction * way.place;
+        }
+      }
+    if (relax() && judge().legal) cutoff_ = std::min(cutoff_, way_.total() * (1.0 + 1e-12));
+    choice_.fill(open);
+  }
+
   void explore() {
-    const double length = relax();
-    if (!(length < limit_) || (found_ && length > best_length_ * (1.0 + tie))) return;
+    if (!relax()) return;
+    const double length = way_.total();
+    if (!(length < cutoff_)) return;
     const Verdict verdict = judge();
     if (verdict.legal) {
       keep(length);
@@ -96,19 +134,22 @@ class Search {
     }
     if (verdict.next == max_chain) return;
     const std::size_t i = verdict.next;
-    for (std::uint32_t edge = 0; edge < faces_[i]->edges().size(); ++edge) {
+    const PortalFace& face = *faces_[i];
+    const Vec3d a = face.frame().to_local(way_.from), b = face.frame().to_local(way_.to);
+    for (std::uint32_t edge = 0; edge < face.edges().size(); ++edge) {
+      if (!(over_edge(face.edges()[edge], a, b).length < cutoff_)) continue;
       choice_[i] = static_cast<std::int32_t>(edge);
       explore();
     }
     choice_[i] = straight;
-    if (std::find(choice_.begin(), choice_.begin() + faces_.size(), open) !=
-        choice_.begin() + static_cast<std::ptrdiff_t>(faces_.size()))
-      explore();
+    const auto end = choice_.begin() + static_cast<std::ptrdiff_t>(faces_.size());
+    if (std::find(choice_.begin(), end, open) != end) explore();
     choice_[i] = open;
   }
 
   /// The shortest way over the chosen edges that ignores all other faces.
-  double relax() {
+  /// @return false if it can't be short enough
+  bool relax() {
     way_.count = 0;
     for (std::size_t i = 0; i < faces_.size(); ++i) {
       if (choice_[i] < 0) continue;
@@ -117,8 +158,7 @@ class Search {
       way_.places[way_.count] = 0.5 * edge.length;
       ++way_.count;
     }
-    shorten(way_);
-    return way_.total();
+    return shorten(way_, cutoff_);
   }
 
   /// Whether the way runs straight through all the faces that it has no edge of; if not, the face
@@ -164,12 +204,13 @@ class Search {
     if (found_ && !(length < best_length_ - margin)) return;
     std::copy(passages.begin(), passages.begin() + faces_.size(), best_.begin());
     best_length_ = length;
+    cutoff_ = std::min(cutoff_, length * (1.0 + tie));
     best_insides_ = insides;
     found_ = true;
   }
 
   FaceRow faces_;
-  double limit_;
+  double cutoff_;  ///< ways must be shorter
   Passages& best_;
   double best_length_ = std::numeric_limits<double>::infinity();
   bool best_insides_ = false, found_ = false;
@@ -198,7 +239,7 @@ Polyline bends(Vec3d from, Vec3d to, FaceRow faces, const Passages& passages) {
     way.places[way.count] = fixed ? 0.0 : 0.5 * edge.length;
     ++way.count;
   }
-  shorten(way);
+  shorten(way, infinity);
   return way;
 }
 
