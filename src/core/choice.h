@@ -24,7 +24,8 @@ struct Choice<std::variant<Types...>> {
   [[nodiscard]] static std::optional<std::variant<Types...>> make(std::string_view name,
                                                                   Parameters& parameters) {
     std::optional<std::variant<Types...>> made;
-    ((Types::name == name ? (made.emplace(Types::from(parameters)), true) : false) || ...);
+    static_cast<void>(
+        ((Types::name == name ? (made.emplace(Types::from(parameters)), true) : false) || ...));
     return made;
   }
 };
