@@ -25,7 +25,7 @@ struct CouplingCost {
 };
 
 /// A scene whose coupling would cost more is refused; the remedy is a smaller depth.
-inline constexpr CouplingCost coupling_budget{2e5, 1e9};
+inline constexpr CouplingCost coupling_budget{2e5, 1e8};
 
 /// The number of chains of exactly `size` portals, none going straight back through a pair.
 [[nodiscard]] inline double chain_count(const CouplingInput& input, int size) {

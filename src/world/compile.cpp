@@ -1,9 +1,12 @@
 #include "world/compile.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cmath>
+#include <string_view>
 #include <utility>
 
+#include "gravity/coupling.h"
 #include "world/image_store.h"
 #include "world/light_list.h"
 #include "world/mesh_store.h"
@@ -18,10 +21,6 @@ constexpr std::int64_t most_crossings = 10'000;
 constexpr std::int64_t most_pixels_along = 65'536;
 constexpr std::int64_t most_pixels = std::int64_t{1} << 28;
 constexpr std::int64_t most_samples = 1'000'000;
-
-/// Chains of portals that a coupling may have to follow for one photon's step.
-constexpr double most_chains = 1e5;
-constexpr double most_graviton_nodes = 5e7;
 
 Film film_from(Parameters& parameters) {
   Film film;
@@ -50,28 +49,38 @@ auto read_section(const Table& table, Faults& faults, const Read& read) {
   return result;
 }
 
-/// Gravity through portals needs finite reaches, and so many chains that a step ends some day.
+std::string in_pulls(double cost, double budget) {
+  return fmt::format("about {:.1e} pulls of a mass; the budget is {:.0e}", cost, budget);
+}
+
+/// `closest-point` needs finite reaches; and whatever the coupling, its cost stays bounded.
 /// physics.md, sec. 5.
-void check_portal_gravity(const Scene& scene, const Physics& physics, std::size_t portals,
+void check_portal_gravity(const Scene& scene, const Physics& physics, const Objects& objects,
                           Faults& faults) {
-  if (portals == 0 || physics.portal_gravity == "none" || physics.portal_gravity_depth == 0) return;
+  if (objects.portals.empty() || physics.portal_gravity_depth == 0) return;
   Parameters parameters(scene.physics, faults);
-  if (physics.min_force == 0.0)
+  const std::string_view coupling = physics.portal_gravity;
+  if (physics.min_force == 0.0 &&
+      (coupling == ClosestPointCoupling::name || coupling == GravitonMapCoupling::name))
     parameters.fault("min_force",
-                     "with min_force 0 every reach is infinite, and portal gravity '" +
-                         physics.portal_gravity + "' never lets a photon go",
-                     "give a min_force above 0, or portal_gravity = \"none\"");
-  if (physics.portal_gravity == "portal-mass") return;
-  const double count = static_cast<double>(portals);
-  const double chains = count * std::pow(std::max(1.0, count - 1.0),
-                                         static_cast<double>(physics.portal_gravity_depth - 1));
-  if (chains > most_chains)
-    parameters.fault("portal_gravity_depth", "this depth makes more than 100,000 chains of portals",
+                     fmt::format("with min_force 0 every reach is infinite, and portal_gravity "
+                                 "'{}' never lets a photon go",
+                                 coupling),
+                     "give a min_force above 0, or another portal_gravity");
+  const CouplingCost cost =
+      estimated_cost(coupling, {objects.portals, objects.masses, physics.min_force,
+                                static_cast<int>(physics.portal_gravity_depth),
+                                static_cast<int>(physics.graviton_resolution)});
+  if (cost.each_call > coupling_budget.each_call)
+    parameters.fault("portal_gravity_depth",
+                     "at this depth portal gravity would cost, at every place, " +
+                         in_pulls(cost.each_call, coupling_budget.each_call),
                      "give a smaller portal_gravity_depth");
-  const double side = static_cast<double>(physics.graviton_resolution);
-  if (physics.portal_gravity == "graviton-map" && count * side * side > most_graviton_nodes)
-    parameters.fault("graviton_resolution", "the graviton maps have more than 50 million nodes",
-                     "give a smaller graviton_resolution");
+  else if (cost.preparation > coupling_budget.preparation)
+    parameters.fault(
+        "graviton_resolution",
+        "the graviton maps would cost " + in_pulls(cost.preparation, coupling_budget.preparation),
+        "give a smaller graviton_resolution or portal_gravity_depth");
 }
 
 /// What a camera without a place of its own has to see.
@@ -115,7 +124,7 @@ World compile(const Scene& scene, const CompileOptions& options) {
   MeshStore meshes(scene.file, options.files, images, materials, faults);
   look.lights = read_lights(scene.lights, names, faults);
   Objects objects = read_objects(scene, {physics, names, materials, meshes}, faults);
-  check_portal_gravity(scene, physics, objects.portals.size(), faults);
+  check_portal_gravity(scene, physics, objects, faults);
   const Camera camera = read_section(scene.camera, faults, [&](Parameters& parameters) {
     return Camera::from(parameters,
                         scene.has_camera ? std::nullopt : std::optional<Box>(extent_of(objects)));

@@ -1,0 +1,321 @@
+// What does gravity through portals cost, how far is each fast way from what it stands for, and how
+// much work does each way do on a closed lap? Prints a table, or JSON lines with --json. Costs are
+// ratios to one pull of one mass, timed in the same run; each coupling is checked before it is
+// timed.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gravity/attraction.h"
+#include "gravity/coupling.h"
+#include "math/random.h"
+
+namespace portalens {
+namespace {
+
+struct Stage {
+  std::vector<Portal> portals;
+  std::vector<Mass> masses;
+  double min_force = 0.01;
+
+  [[nodiscard]] CouplingInput input(int depth) const {
+    return {portals, masses, min_force, depth, 32};
+  }
+};
+
+/// A rectangle of half-sides w and h, in its own frame.
+Portal rectangle(const Frame& frame, double w, double h) {
+  Portal portal;
+  portal.vertices = {frame.to_world({-w, -h, 0}), frame.to_world({w, -h, 0}),
+                     frame.to_world({w, h, 0}), frame.to_world({-w, h, 0})};
+  portal.frame = polygon_frame(portal.vertices);
+  portal.longest_edge = 2.0 * std::max(w, h);
+  return portal;
+}
+
+void add_pair(Stage& stage, Portal a, Portal b) {
+  const auto first = static_cast<std::uint32_t>(stage.portals.size());
+  a.pair = first + 1;
+  b.pair = first;
+  a.through = motion_through(a.frame, b.frame);
+  b.through = motion_through(b.frame, a.frame);
+  stage.portals.push_back(std::move(a));
+  stage.portals.push_back(std::move(b));
+}
+
+void add_mass(Stage& stage, Vec3d center, double gm) {
+  Mass mass;
+  mass.center = center;
+  mass.gm = gm;
+  mass.influence = influence_radius(gm, stage.min_force);
+  stage.masses.push_back(mass);
+}
+
+/// As in the paper's figure 7: a pair of upright portals and one heavy mass, in front of one.
+Stage figure_7() {
+  Stage stage;
+  stage.min_force = 1.0;
+  add_pair(stage, rectangle({{-3, 1.5, 0}, {0, 0, -1}, {0, 1, 0}, {1, 0, 0}}, 1.0, 1.5),
+           rectangle({{4, 1.5, -3}, {-1, 0, 0}, {0, 1, 0}, {0, 0, -1}}, 1.0, 1.5));
+  add_mass(stage, {4.3, 1.8, -4.2}, 60.0);
+  return stage;
+}
+
+/// A floor that leads to the ceiling above it, and a mass below.
+constexpr double corridor_height = 3.0;
+Stage corridor() {
+  Stage stage;
+  add_pair(stage, rectangle({{0, 0, 0}, {1, 0, 0}, {0, 0, -1}, {0, 1, 0}}, 1.0, 1.0),
+           rectangle({{0, corridor_height, 0}, {-1, 0, 0}, {0, 0, -1}, {0, -1, 0}}, 1.0, 1.0));
+  add_mass(stage, {0, -1, 0}, 1.0);
+  return stage;
+}
+
+Vec3d direct(const Stage& stage, Vec3d x) {
+  Vec3d sum;
+  for (const Mass& mass : stage.masses) {
+    const Vec3d to = mass.center - x;
+    if (dot(to, to) < mass.influence * mass.influence) sum += attraction(to, mass.gm, 0.0);
+  }
+  return sum;
+}
+
+std::vector<Vec3d> places(int count) {
+  std::vector<Vec3d> result;
+  for (int i = 0; i < count; ++i) {
+    const auto key = static_cast<std::uint64_t>(i);
+    result.push_back({-6.0 + 11.0 * random_number(key, 0), 4.0 * random_number(key, 1),
+                      -5.0 + 10.0 * random_number(key, 2)});
+  }
+  return result;
+}
+
+/// Root mean square of the difference of two couplings over that of the second.
+template <class A, class B>
+double difference(const A& a, const B& b, const std::vector<Vec3d>& at) {
+  double apart = 0.0, size = 0.0;
+  for (const Vec3d& x : at) {
+    const Vec3d exact = b.pull(x, x).acceleration;
+    const Vec3d d = a.pull(x, x).acceleration - exact;
+    apart += dot(d, d);
+    size += dot(exact, exact);
+  }
+  return std::sqrt(apart / size);
+}
+
+/// The definition of closest-point at depth 1, for rectangles.
+struct PlainClosestPoint {
+  const Stage& stage;
+
+  [[nodiscard]] Pull pull(Vec3d x, Vec3d) const {
+    Pull sum;
+    for (const Portal& portal : stage.portals) {
+      const Vec3d corner = portal.frame.to_local(portal.vertices[2]);
+      const Vec3d local = portal.frame.to_local(x);
+      Vec3d q{std::clamp(local.x, -corner.x, corner.x), std::clamp(local.y, -corner.y, corner.y),
+              0.0};
+      const double to_x = corner.x - std::fabs(q.x), to_y = corner.y - std::fabs(q.y);
+      if (local.z < 0.0 && to_x > 0.0 && to_y > 0.0) {
+        if (to_x < to_y)
+          q.x = std::copysign(corner.x, q.x);
+        else
+          q.y = std::copysign(corner.y, q.y);
+      }
+      double reach = 0.0;
+      for (const Mass& mass : stage.masses) {
+        const Portal& pair = stage.portals[portal.pair];
+        const Vec3d m = pair.frame.to_local(mass.center);
+        const double dx = std::max(0.0, std::fabs(m.x) - corner.x);
+        const double dy = std::max(0.0, std::fabs(m.y) - corner.y);
+        reach = std::max(reach, mass.influence - std::sqrt(dx * dx + dy * dy + m.z * m.z));
+      }
+      if (!(length(local - q) < reach)) continue;
+      const Vec3d beyond = portal.through.move(portal.frame.to_world(q));
+      sum.acceleration += portal.through.rotate_back(direct(stage, beyond));
+    }
+    return sum;
+  }
+};
+
+/// G M / D differentiated by central differences.
+struct DifferencedPotential {
+  const ShortestPathCoupling& coupling;
+
+  [[nodiscard]] double potential(Vec3d x) const {
+    double sum = 0.0;
+    for (const auto& image : coupling.images()) sum += image.gm / coupling.way(image, x).length;
+    return sum;
+  }
+  [[nodiscard]] Pull pull(Vec3d x, Vec3d) const {
+    constexpr double h = 1e-4;
+    const auto along = [&](Vec3d step) {
+      return (potential(x + step) - potential(x - step)) / (2.0 * h);
+    };
+    return {{along({h, 0, 0}), along({0, h, 0}), along({0, 0, h})}, 0.0, 0.0};
+  }
+};
+
+/// What a coupling was checked against, and how far it was from it.
+struct Verdict {
+  std::string against = "nothing";
+  double error = 0.0;
+  double allowed = 0.0;
+};
+
+Verdict check(const NoCoupling&, const Stage&, int, const std::vector<Vec3d>&) { return {}; }
+
+Verdict check(const ClosestPointCoupling& coupling, const Stage& stage, int depth,
+              const std::vector<Vec3d>& at) {
+  if (depth == 1)
+    return {"its definition", difference(coupling, PlainClosestPoint{stage}, at), 1e-12};
+  // At more depth, by one step of the recursion out of what one portal passes on.
+  const ClosestPointCoupling shallow(stage.input(depth - 1));
+  double worst = 0.0;
+  for (std::uint32_t a = 0; a < stage.portals.size(); ++a) {
+    const Vec3d q = stage.portals[a].frame.to_world({0.3, -0.2, 0.0});
+    const Vec3d beyond = stage.portals[a].through.move(q);
+    Vec3d expected = direct(stage, beyond);
+    for (std::uint32_t c = 0; c < stage.portals.size(); ++c) {
+      if (c == stage.portals[a].pair) continue;
+      const PortalFace& face = shallow.face(c);
+      const Vec3d local = face.frame().to_local(beyond);
+      const Vec3d place = face.place(face.nearest(local), local);
+      if (!(length(local - place) < shallow.reach(c))) continue;
+      const Vec3d next = face.frame().to_world(place);
+      expected += shallow.passed_on(c, next, next).acceleration;
+    }
+    const Vec3d found = stage.portals[a].through.rotate(coupling.passed_on(a, q, q).acceleration);
+    worst = std::max(worst, length(found - expected) / length(expected));
+  }
+  return {"its definition", worst, 1e-12};
+}
+
+Verdict check(const ShortestPathCoupling& coupling, const Stage&, int,
+              const std::vector<Vec3d>& at) {
+  std::vector<Vec3d> smooth;
+  for (const Vec3d& x : at) {
+    const std::uint64_t here = coupling.signature(x);
+    const double h = 1e-3;
+    bool even = here != 0 && coupling.pull(x, x).nearness < 1e3;
+    for (const Vec3d& step : {Vec3d{h, 0, 0}, Vec3d{0, h, 0}, Vec3d{0, 0, h}})
+      even = even && coupling.signature(x + step) == here && coupling.signature(x - step) == here;
+    if (even) smooth.push_back(x);
+  }
+  return {"differences of GM/D", difference(coupling, DifferencedPotential{coupling}, smooth),
+          1e-6};
+}
+
+Verdict check(const GravitonMapCoupling& coupling, const Stage&, int,
+              const std::vector<Vec3d>& at) {
+  return {"closest-point", difference(coupling, coupling.exact(), at), 0.05};
+}
+
+Verdict check(const PortalMassCoupling& coupling, const Stage& stage, int depth,
+              const std::vector<Vec3d>& at) {
+  return {"closest-point", difference(coupling, ClosestPointCoupling(stage.input(depth)), at), 2.0};
+}
+
+/// Nanoseconds of one call, the least of several rounds.
+template <class F>
+double time_of(F call, const std::vector<Vec3d>& at) {
+  double least = 1e300, sum = 0.0;
+  for (int round = 0; round < 12; ++round) {
+    const auto start = std::chrono::steady_clock::now();
+    for (const Vec3d& x : at) sum += call(x);
+    const std::chrono::duration<double, std::nano> taken = std::chrono::steady_clock::now() - start;
+    least = std::min(least, taken.count() / static_cast<double>(at.size()));
+  }
+  // The sum is used, so that the calls are made.
+  return std::isnan(sum) ? 0.0 : least;
+}
+
+/// Work of direct attraction and coupling, falling on the axis from the ceiling to the floor.
+template <class C>
+double work_of_lap(const Stage& stage, const C& coupling) {
+  constexpr int cells = 20000;
+  double sum = 0.0;
+  for (int i = 0; i < cells; ++i) {
+    const Vec3d x{0.0, corridor_height * (i + 0.5) / cells, 0.0};
+    sum -= direct(stage, x).y + coupling.pull(x, x).acceleration.y;
+  }
+  return sum * corridor_height / cells;
+}
+
+struct Row {
+  std::string_view coupling;
+  int depth;
+  double nanoseconds, ratio, signature_ratio, lap;
+  Verdict verdict;
+};
+
+void print(const Row& row, bool json) {
+  if (json)
+    std::printf(
+        "{\"coupling\": \"%.*s\", \"depth\": %d, \"ns\": %.4g, \"masses\": %.4g, "
+        "\"signature_masses\": %.4g, \"checked_against\": \"%s\", \"error\": %.3g, "
+        "\"work_per_lap\": %.6f}\n",
+        static_cast<int>(row.coupling.size()), row.coupling.data(), row.depth, row.nanoseconds,
+        row.ratio, row.signature_ratio, row.verdict.against.c_str(), row.verdict.error, row.lap);
+  else
+    std::printf("%-14.*s %5d %9.1f %9.1f %9.2g from %-20s %9.4f\n",
+                static_cast<int>(row.coupling.size()), row.coupling.data(), row.depth, row.ratio,
+                row.signature_ratio, row.verdict.error, row.verdict.against.c_str(), row.lap);
+}
+
+template <class C>
+bool measure(const C& coupling, const Stage& stage, int depth, double one_mass, bool json) {
+  const std::vector<Vec3d> at = places(4000);
+  const Verdict verdict = check(coupling, stage, depth, at);
+  if (!(verdict.error <= verdict.allowed)) {
+    std::fprintf(stderr, "%.*s at depth %d is %g from %s, more than %g\n",
+                 static_cast<int>(C::name.size()), C::name.data(), depth, verdict.error,
+                 verdict.against.c_str(), verdict.allowed);
+    return false;
+  }
+  const double pull = time_of([&](Vec3d x) { return coupling.pull(x, x).acceleration.x; }, at);
+  const double signature =
+      time_of([&](Vec3d x) { return static_cast<double>(coupling.signature(x)); }, at);
+  const Stage lap_stage = corridor();
+  const double lap = work_of_lap(lap_stage, C(lap_stage.input(depth)));
+  print({C::name, depth, pull, pull / one_mass, signature / one_mass, lap, verdict}, json);
+  return true;
+}
+
+int run(bool json) {
+  const Stage stage = figure_7();
+  Stage lone = stage;
+  lone.masses[0].influence = 1e300;
+  const double one_mass = time_of([&](Vec3d x) { return direct(lone, x).x; }, places(4000));
+  if (!json)
+    std::printf("one mass: %.2f ns\n%-14s %5s %9s %9s %9s %-25s %9s\n", one_mass, "coupling",
+                "depth", "pull", "signature", "error", "", "lap");
+  bool good = true;
+  for (const std::string_view name : coupling_names())
+    for (int depth = 1; depth <= 4; ++depth) {
+      const Coupling coupling = make_coupling(name, stage.input(depth));
+      good =
+          std::visit([&](const auto& made) { return measure(made, stage, depth, one_mass, json); },
+                     coupling) &&
+          good;
+      if (name == NoCoupling::name || name == PortalMassCoupling::name) break;
+    }
+  return good ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace portalens
+
+int main(int count, char** arguments) {
+  const bool json = count == 2 && std::string_view(arguments[1]) == "--json";
+  if (count > 1 && !json) {
+    std::fprintf(stderr, "usage: %s [--json]\n", arguments[0]);
+    return 2;
+  }
+  return portalens::run(json);
+}
