@@ -3,7 +3,8 @@
 add_library(portalens_flags INTERFACE)
 target_compile_features(portalens_flags INTERFACE cxx_std_20)
 target_compile_options(portalens_flags INTERFACE
-  -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Wno-psabi -ffp-contract=off -fno-math-errno)
+  -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Wno-psabi -ffp-contract=off -fno-math-errno
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)  # g++ 12 warns of its own std::string
 if(PORTALENS_SANITIZE)
   target_compile_options(portalens_flags INTERFACE
     -fsanitize=${PORTALENS_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)

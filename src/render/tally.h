@@ -1,0 +1,39 @@
+/// \file
+/// What was done for a picture, in numbers.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "photon/photon.h"
+
+namespace portalens {
+
+struct Tally {
+  std::uint64_t samples = 0;         ///< photons that began at the camera
+  std::uint64_t photons = 0;         ///< those, and their offspring
+  std::uint64_t shadow_queries = 0;  ///< straight ways to lights
+  std::uint64_t steps = 0;           ///< of all photons
+  std::uint64_t crossings = 0;       ///< of portals, by all photons
+  std::uint64_t not_finite = 0;      ///< samples whose light was not a number; shown as lost
+  std::array<std::uint64_t, fate_count> fates{};  ///< of all photons, in the order of `Fate`
+
+  void count(const Arrival& arrival) {
+    ++photons;
+    steps += arrival.steps;
+    crossings += arrival.crossings;
+    ++fates[static_cast<std::size_t>(arrival.fate)];
+  }
+  Tally& operator+=(const Tally& other) {
+    samples += other.samples;
+    photons += other.photons;
+    shadow_queries += other.shadow_queries;
+    steps += other.steps;
+    crossings += other.crossings;
+    not_finite += other.not_finite;
+    for (std::size_t i = 0; i < fates.size(); ++i) fates[i] += other.fates[i];
+    return *this;
+  }
+};
+
+}  // namespace portalens

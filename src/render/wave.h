@@ -1,0 +1,55 @@
+/// \file
+/// The one loop that carries light round: photons are advanced until each has arrived, arrivals are
+/// shaded, and what that gives (light, shadow queries, offspring) goes on, until none is left.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "photon/engine.h"
+#include "render/tally.h"
+#include "shading/shade.h"
+
+namespace portalens {
+
+/// Adds to `light[photon.sample]` what each photon and its offspring find. A sample's light is
+/// added in order of wave, and within one first what its photon saw, then its shadow queries in
+/// their order; so its sum does not depend on which other photons travel along.
+/// @pre every photon's sample < light.size(), and no two photons have the same
+inline void carry_light(const Space& space, const Appearance& appearance, std::vector<Photon> wave,
+                        std::span<Rgb> light, Tally& tally) {
+  constexpr std::size_t most_at_once = std::size_t{1} << 16;
+  const std::size_t each = std::max<std::size_t>(1, most_shadow_queries(space, appearance));
+  const std::size_t slice = std::max<std::size_t>(1, most_at_once / each);
+
+  tally.samples += wave.size();
+  std::vector<Arrival> arrivals;
+  std::vector<Photon> offspring;
+  ShadeOutput found;
+  while (!wave.empty()) {
+    arrivals.assign(wave.size(), Arrival{});
+    advance(space, wave, arrivals);
+    for (const Arrival& arrival : arrivals) tally.count(arrival);
+
+    offspring.clear();
+    for (std::size_t begin = 0; begin < wave.size(); begin += slice) {
+      const std::size_t count = std::min(slice, wave.size() - begin);
+      found.light.clear();
+      found.offspring.clear();
+      found.shadows.clear();
+      shade(space, appearance, std::span<const Photon>(wave).subspan(begin, count),
+            std::span<const Arrival>(arrivals).subspan(begin, count), found);
+      for (const Gleam& gleam : found.light) light[gleam.sample] += gleam.radiance;
+      for (const ShadowQuery& query : found.shadows)
+        if (visible(space, query)) light[query.sample] += query.contribution;
+      tally.shadow_queries += found.shadows.size();
+      offspring.insert(offspring.end(), found.offspring.begin(), found.offspring.end());
+    }
+    std::swap(wave, offspring);
+  }
+}
+
+}  // namespace portalens
