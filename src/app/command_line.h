@@ -1,0 +1,16 @@
+/// \file
+/// From the words of the command line to the subcommand they name.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace portalens {
+
+/// Runs what the arguments (without the program's name) ask for. What is wrong with them goes to
+/// standard error.
+/// @return the exit code
+/// @throws SceneError, WorkError, std::bad_alloc as the subcommands do
+[[nodiscard]] int run_command_line(std::vector<std::string> arguments);
+
+}  // namespace portalens

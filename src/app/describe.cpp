@@ -1,0 +1,198 @@
+#include "app/describe.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <span>
+#include <variant>
+
+namespace portalens {
+namespace {
+
+/// Entries of one list that a person is shown.
+constexpr std::size_t most_listed = 40;
+
+std::string place(Vec3d v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z); }
+
+/// Extent of a portal along its `right` and `up`.
+std::pair<double, double> size_of(const Portal& portal) {
+  Box box;
+  for (const Vec3d& vertex : portal.vertices) box.add(portal.frame.to_local(vertex));
+  return {box.high.x - box.low.x, box.high.y - box.low.y};
+}
+
+Json bodies_json(const World& world) {
+  Json bodies = Json::array();
+  for (const Body& body : world.appearance.bodies)
+    bodies.push_back({{"name", body.name},
+                      {"kind", body.kind},
+                      {"material", world.appearance.materials[body.material].name},
+                      {"mass", body.mass ? Json(world.space.masses[*body.mass].name) : Json()}});
+  return bodies;
+}
+
+Json masses_json(const Space& space) {
+  Json masses = Json::array();
+  for (const Mass& mass : space.masses)
+    masses.push_back({{"name", mass.name},
+                      {"mass", mass.gm / space.physics.G},
+                      {"center", to_json(mass.center)},
+                      {"schwarzschild_radius", mass.schwarzschild},
+                      {"influence_radius", finite_or_null(mass.influence)},
+                      {"core_radius", mass.core},
+                      {"horizon", mass.horizon}});
+  return masses;
+}
+
+Json portals_json(const World& world) {
+  const std::span<const Portal> portals = world.space.portals.portals();
+  Json list = Json::array();
+  for (const Portal& portal : portals) {
+    const auto [width, height] = size_of(portal);
+    list.push_back(
+        {{"name", portal.name},
+         {"pair", portals[portal.pair].name},
+         {"center", to_json(portal.frame.origin)},
+         {"normal", to_json(portal.frame.normal)},
+         {"size", {width, height}},
+         {"vertices", portal.vertices.size()},
+         {"tint", to_json(portal.tint)},
+         {"back",
+          portal.back_material ? world.appearance.materials[*portal.back_material].name : "open"}});
+  }
+  return list;
+}
+
+Json camera_json(const Camera& camera) {
+  const bool perspective = camera.projection == Projection::perspective;
+  return {{"type", perspective ? "perspective" : "orthographic"},
+          {"position", to_json(camera.position)},
+          {"forward", to_json(camera.forward)},
+          {"up", to_json(camera.up)},
+          {perspective ? "fov" : "size", perspective ? camera.fov : camera.size}};
+}
+
+Json physics_json(const Space& space) {
+  const Physics& physics = space.physics;
+  return {{"G", physics.G},
+          {"c", physics.c},
+          {"min_force", physics.min_force},
+          {"integrator", physics.integrator},
+          {"tolerance", physics.tolerance},
+          {"step", physics.step},
+          {"max_steps", physics.max_steps},
+          {"max_length", physics.max_length},
+          {"max_turning", physics.max_turning},
+          {"portal_gravity", physics.portal_gravity},
+          {"portal_gravity_depth", physics.portal_gravity_depth},
+          {"graviton_resolution", physics.graviton_resolution},
+          {"max_crossings", space.max_crossings}};
+}
+
+/// "3 sphere, 1 quad"
+std::string kinds_text(const std::vector<Body>& bodies) {
+  std::map<std::string, std::size_t> counts;
+  for (const Body& body : bodies) ++counts[body.kind];
+  std::string text;
+  for (const auto& [kind, count] : counts)
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, kind);
+  return text.empty() ? "none" : text;
+}
+
+std::string mass_text(const Mass& mass, double G) {
+  std::string text =
+      fmt::format("  {}: M = {:.6g} at {}, r_s = {:.6g}, R = {:.6g}", mass.name, mass.gm / G,
+                  place(mass.center), mass.schwarzschild, mass.influence);
+  if (mass.core > 0.0) text += fmt::format(", core {:.6g}", mass.core);
+  return text + (mass.horizon ? "\n" : ", no horizon\n");
+}
+
+std::string portal_text(const World& world, const Portal& portal) {
+  const auto [width, height] = size_of(portal);
+  const auto& pair = world.space.portals.portals()[portal.pair];
+  std::string text =
+      fmt::format("  {} -> {}: {:.6g} x {:.6g} at {}, facing {}", portal.name, pair.name, width,
+                  height, place(portal.frame.origin), place(portal.frame.normal));
+  if (portal.back_material)
+    text += ", back " + world.appearance.materials[*portal.back_material].name;
+  return text + '\n';
+}
+
+template <class Item, class Text>
+std::string listed(const char* title, std::span<const Item> items, const Text& text_of) {
+  std::string text = fmt::format("{:<12}{}\n", title, items.size());
+  for (const Item& item : items.first(std::min(items.size(), most_listed))) text += text_of(item);
+  if (items.size() > most_listed)
+    text += fmt::format("  ... and {} more (--json lists all)\n", items.size() - most_listed);
+  return text;
+}
+
+std::string camera_text(const Camera& camera) {
+  const bool perspective = camera.projection == Projection::perspective;
+  return fmt::format("{} at {} looking {}, {} {:.6g}{}",
+                     perspective ? "perspective" : "orthographic", place(camera.position),
+                     place(camera.forward), perspective ? "fov" : "size",
+                     perspective ? camera.fov : camera.size, perspective ? " degrees" : "");
+}
+
+std::string physics_text(const Space& space) {
+  const Physics& p = space.physics;
+  std::string text =
+      fmt::format("G = {:g}, c = {:g}, min_force = {:g}; {} ({} {:g})", p.G, p.c, p.min_force,
+                  p.integrator, p.integrator == "adaptive" ? "tolerance" : "step",
+                  p.integrator == "adaptive" ? p.tolerance : p.step);
+  if (!space.portals.empty())
+    text += fmt::format("; portal gravity {}, depth {}", p.portal_gravity, p.portal_gravity_depth);
+  return text;
+}
+
+}  // namespace
+
+Json describe_json(const Scene& scene, const World& world) {
+  const Environment& environment = world.appearance.environment;
+  Json lights = Json::array();
+  for (const Light& light : world.appearance.lights) lights.push_back(name_of(light));
+  return {{"scene", world.file.string()},
+          {"camera", camera_json(world.camera)},
+          {"film", {{"width", world.film.width}, {"height", world.film.height}}},
+          {"samples", world.sampling.samples},
+          {"seed", world.sampling.seed},
+          {"physics", physics_json(world.space)},
+          {"environment", environment.image ? Json("image") : to_json(environment.color)},
+          {"materials", world.appearance.materials.size()},
+          {"objects", bodies_json(world)},
+          {"masses", masses_json(world.space)},
+          {"portals", portals_json(world)},
+          {"lights", lights},
+          {"warnings", world.warnings},
+          {"notes", scene.notes}};
+}
+
+std::string describe_text(const Scene& scene, const World& world) {
+  const Space& space = world.space;
+  std::string text;
+  const auto line = [&](const char* title, const std::string& value) {
+    text += fmt::format("{:<12}{}\n", title, value);
+  };
+  line("scene", world.file.string());
+  line("camera", camera_text(world.camera));
+  line("film", fmt::format("{} x {}, {} samples a pixel", world.film.width, world.film.height,
+                           world.sampling.samples));
+  line("physics", physics_text(space));
+  line("objects", kinds_text(world.appearance.bodies));
+  text += listed("masses", std::span<const Mass>(space.masses),
+                 [&](const Mass& mass) { return mass_text(mass, space.physics.G); });
+  text += listed("portals", space.portals.portals(),
+                 [&](const Portal& portal) { return portal_text(world, portal); });
+  text += listed("lights", std::span<const Light>(world.appearance.lights),
+                 [](const Light& light) { return "  " + name_of(light) + '\n'; });
+  const Environment& environment = world.appearance.environment;
+  line("environment", environment.image ? "an image" : place(environment.color));
+  for (const std::string& warning : world.warnings) text += "warning: " + warning + '\n';
+  for (const std::string& note : scene.notes) text += "note: " + note + '\n';
+  return text;
+}
+
+}  // namespace portalens

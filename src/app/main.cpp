@@ -1,0 +1,40 @@
+/// \file
+/// The command line of portalens: finds the subcommand, runs it, and tells what went wrong.
+#include <exception>
+#include <iostream>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "app/command.h"
+#include "app/command_line.h"
+#include "core/error.h"
+
+namespace {
+
+int report(const char* kind, const std::string& problem, portalens::ExitCode code) {
+  std::cerr << "portalens: " << kind << problem << '\n';
+  return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace portalens;
+  try {
+    const int code = run_command_line(std::vector<std::string>(argv + 1, argv + argc));
+    std::cout.flush();
+    if (!std::cout) return report("", "can't write to standard output", exit_work_failed);
+    return code;
+  } catch (const SceneError& error) {
+    for (const Fault& fault : error.faults()) std::cerr << to_string(fault) << '\n';
+    return exit_users_fault;
+  } catch (const std::bad_alloc&) {
+    return report("", "out of memory; a smaller picture, mesh or texture would need less",
+                  exit_work_failed);
+  } catch (const WorkError& error) {
+    return report("", error.what(), exit_work_failed);
+  } catch (const std::exception& error) {
+    return report("unexpected failure: ", error.what(), exit_work_failed);
+  }
+}

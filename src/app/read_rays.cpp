@@ -1,0 +1,73 @@
+#include "app/read_rays.h"
+
+#include <charconv>
+#include <cmath>
+#include <memory>
+#include <string_view>
+
+namespace portalens {
+namespace {
+
+constexpr std::string_view blanks = " \t\r";
+constexpr const char* remedy = "six numbers are needed: x y z dx dy dz, the direction not zero";
+constexpr std::size_t most_reported = 100;
+
+/// The line's numbers; nothing if it holds anything else, or not six.
+std::optional<std::array<double, 6>> six_numbers(std::string_view line) {
+  std::array<double, 6> numbers{};
+  for (double& number : numbers) {
+    const std::size_t begin = line.find_first_not_of(blanks);
+    if (begin == std::string_view::npos) return std::nullopt;
+    line.remove_prefix(begin);
+    if (line[0] == '+') line.remove_prefix(1);
+    const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), number);
+    if (error != std::errc{}) return std::nullopt;
+    line.remove_prefix(static_cast<std::size_t>(end - line.data()));
+    if (!line.empty() && blanks.find(line[0]) == std::string_view::npos) return std::nullopt;
+  }
+  if (line.find_first_not_of(blanks) != std::string_view::npos) return std::nullopt;
+  return numbers;
+}
+
+std::string shown(const std::string& line) {
+  constexpr std::size_t most = 60;
+  std::string text = line.size() <= most ? line : line.substr(0, most) + "...";
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20) c = ' ';
+  return text;
+}
+
+}  // namespace
+
+std::optional<Ray> ray_of(const std::array<double, 6>& numbers) {
+  const Vec3d origin{numbers[0], numbers[1], numbers[2]};
+  const Vec3d direction{numbers[3], numbers[4], numbers[5]};
+  const double largest =
+      max_component({std::fabs(direction.x), std::fabs(direction.y), std::fabs(direction.z)});
+  if (!is_finite(origin) || !is_finite(direction) || largest == 0.0) return std::nullopt;
+  // Divided first, so that squares neither vanish nor overflow.
+  return Ray{origin, normalize(direction / largest)};
+}
+
+std::vector<Ray> read_rays(std::istream& input, const std::string& name) {
+  const auto file = std::make_shared<const std::string>(name);
+  std::vector<Ray> rays;
+  Faults faults;
+  std::string line;
+  for (int number = 1; faults.size() < most_reported && std::getline(input, line); ++number) {
+    const std::size_t begin = line.find_first_not_of(blanks);
+    if (begin == std::string::npos || line[begin] == '#') continue;
+    const auto numbers = six_numbers(line);
+    const auto ray = numbers ? ray_of(*numbers) : std::nullopt;
+    if (ray)
+      rays.push_back(*ray);
+    else
+      faults.add({file, number}, "'" + shown(line) + "' is no ray", remedy);
+  }
+  if (input.bad())
+    faults.add({file, 0}, "reading failed", "a file of lines 'x y z dx dy dz' is needed");
+  faults.raise();
+  return rays;
+}
+
+}  // namespace portalens

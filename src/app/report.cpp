@@ -1,0 +1,128 @@
+#include "app/report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/progress_bar.h"
+
+namespace portalens {
+namespace {
+
+double per(std::uint64_t amount, double of) {
+  return of > 0.0 ? static_cast<double>(amount) / of : 0.0;
+}
+
+std::string vector_text(Vec3d v) { return fmt::format("{} {} {}", v.x, v.y, v.z); }
+
+std::uint64_t count_of(const Tally& tally, Fate fate) {
+  return tally.fates[static_cast<std::size_t>(fate)];
+}
+
+}  // namespace
+
+std::string fates_text(const Tally& tally) {
+  std::string text;
+  for (int i = 0; i < fate_count; ++i) {
+    if (tally.fates[i] == 0) continue;
+    const double percent = 100.0 * per(tally.fates[i], static_cast<double>(tally.photons));
+    if (!text.empty()) text += ", ";
+    text += fmt::format("{} {} %{}", fate_names[i],
+                        percent < 0.01 ? "< 0.01" : fmt::format("{:.2f}", percent), "");
+  }
+  return text;
+}
+
+std::string statistics_text(const RenderResult& result) {
+  const Tally& tally = result.tally;
+  const auto photons = static_cast<double>(tally.photons);
+  std::string text;
+  const auto line = [&](const char* name, const std::string& value) {
+    text += fmt::format("  {:<16}{}\n", name, value);
+  };
+  line("camera samples", fmt::format("{}", tally.samples));
+  line("photons", fmt::format("{}", tally.photons));
+  for (int i = 0; i < fate_count; ++i)
+    line("", fmt::format("{:<10}{:>12}  {:6.2f} %", fate_names[i], tally.fates[i],
+                         100.0 * per(tally.fates[i], photons)));
+  line("steps a photon", fmt::format("{:.2f}", per(tally.steps, photons)));
+  line("crossings", fmt::format("{}", tally.crossings));
+  line("shadow queries", fmt::format("{}", tally.shadow_queries));
+  line("time", fmt::format("{:.2f} s", result.seconds));
+  line("rate",
+       fmt::format("{} photons/s, {} steps/s", rounded_count(per(tally.photons, result.seconds)),
+                   rounded_count(per(tally.steps, result.seconds))));
+  return text;
+}
+
+Json statistics_json(const World& world, const RenderResult& result,
+                     const std::filesystem::path& picture) {
+  const Tally& tally = result.tally;
+  Json fates = Json::object();
+  for (int i = 0; i < fate_count; ++i) fates[std::string(fate_names[i])] = tally.fates[i];
+  return {{"picture", picture.string()},
+          {"complete", result.completion == Completion::complete},
+          {"width", result.window.width()},
+          {"height", result.window.height()},
+          {"samples_per_pixel", world.sampling.samples},
+          {"samples", tally.samples},
+          {"photons", tally.photons},
+          {"fates", fates},
+          {"not_finite", tally.not_finite},
+          {"steps", tally.steps},
+          {"steps_per_photon", per(tally.steps, static_cast<double>(tally.photons))},
+          {"crossings", tally.crossings},
+          {"shadow_queries", tally.shadow_queries},
+          {"seconds", result.seconds},
+          {"photons_per_second", per(tally.photons, result.seconds)}};
+}
+
+Metadata picture_metadata(const World& world, const RenderResult& result) {
+  const Physics& physics = world.space.physics;
+  const ShadingLimits& limits = world.appearance.limits;
+  const Window& window = result.window;
+  Metadata metadata = {
+      {"Software", "portalens " PORTALENS_VERSION},
+      {"portalens:scene", world.file.filename().string()},
+      {"portalens:film", fmt::format("{} x {}", world.film.width, world.film.height)},
+      {"portalens:window", fmt::format("{} {} {} {}", window.x0, window.y0, window.x1, window.y1)},
+      {"portalens:samples", fmt::format("{}", world.sampling.samples)},
+      {"portalens:seed", fmt::format("{}", world.sampling.seed)},
+      {"portalens:G", fmt::format("{}", physics.G)},
+      {"portalens:c", fmt::format("{}", physics.c)},
+      {"portalens:min_force", fmt::format("{}", physics.min_force)},
+      {"portalens:integrator", physics.integrator},
+      {physics.integrator == "adaptive" ? "portalens:tolerance" : "portalens:step",
+       fmt::format("{}", physics.integrator == "adaptive" ? physics.tolerance : physics.step)},
+      {"portalens:max_steps", fmt::format("{}", physics.max_steps)},
+      {"portalens:max_length", fmt::format("{}", physics.max_length)},
+      {"portalens:max_turning", fmt::format("{}", physics.max_turning)},
+      {"portalens:portal_gravity", physics.portal_gravity},
+      {"portalens:portal_gravity_depth", fmt::format("{}", physics.portal_gravity_depth)},
+      {"portalens:max_crossings", fmt::format("{}", world.space.max_crossings)},
+      {"portalens:max_bounces", fmt::format("{}", limits.max_bounces)},
+      {"portalens:shadow_samples", fmt::format("{}", limits.shadow_samples)},
+      {"portalens:ambient", vector_text(limits.ambient)},
+      {"portalens:complete", result.completion == Completion::complete ? "yes" : "no"},
+      {"portalens:photons", fmt::format("{}", result.tally.photons)}};
+  for (int i = 0; i < fate_count; ++i)
+    metadata.emplace_back(fmt::format("portalens:{}", fate_names[i]),
+                          fmt::format("{}", result.tally.fates[i]));
+  return metadata;
+}
+
+std::string complaint(const Tally& tally) {
+  std::string text;
+  const auto add = [&](std::uint64_t count, const char* what) {
+    if (count > 0) text += fmt::format("note: {} {}\n", count, what);
+  };
+  add(count_of(tally, Fate::lost),
+      "photons were lost (shading.lost_color): they ran out of physics.max_steps, "
+      "physics.max_length or shading.max_crossings");
+  add(count_of(tally, Fate::trapped),
+      "photons were trapped (black): they turned by more than physics.max_turning");
+  add(tally.not_finite, "samples gave light that is not a number; they are shown as lost");
+  return text;
+}
+
+}  // namespace portalens

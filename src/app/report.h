@@ -1,0 +1,31 @@
+/// \file
+/// What a render tells about itself: for people, for programs, and in the picture's own header.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "app/json.h"
+#include "io/image.h"
+#include "render/render.h"
+
+namespace portalens {
+
+/// "98.20 % hit, 1.80 % escaped": the shares of all photons, without those that are 0.
+[[nodiscard]] std::string fates_text(const Tally& tally);
+
+/// What `--stats` prints: several lines.
+[[nodiscard]] std::string statistics_text(const RenderResult& result);
+
+/// What `--json` prints.
+[[nodiscard]] Json statistics_json(const World& world, const RenderResult& result,
+                                   const std::filesystem::path& picture);
+
+/// What an EXR file keeps: from which scene and settings it was made, and how its photons ended.
+/// The same render has the same metadata.
+[[nodiscard]] Metadata picture_metadata(const World& world, const RenderResult& result);
+
+/// Advice where photons were lost or trapped, or light was not a number; empty if there is none.
+[[nodiscard]] std::string complaint(const Tally& tally);
+
+}  // namespace portalens
