@@ -205,10 +205,11 @@ std::string Parameters::choice(std::string_view key, std::span<const std::string
 }
 
 std::optional<Triple> Parameters::checked_triple(std::string_view key, const Value& value,
-                                                 Bounds bounds, const std::string& remedy) {
+                                                 Bounds bounds, const std::string& remedy,
+                                                 std::string_view verb) {
   const auto* list = std::get_if<Value::List>(&value.data);
   if (!list || list->size() != 3) {
-    fault_at(value, is(key, found(value)), remedy);
+    fault_at(value, in_quotes(key) + std::string(verb) + found(value), remedy);
     return std::nullopt;
   }
   Triple triple{};
@@ -243,7 +244,7 @@ std::vector<Triple> Parameters::points(std::string_view key, std::size_t low, st
   }
   std::vector<Triple> points;
   for (const Value& element : *list) {
-    const auto point = checked_triple(key, element, any_number, "give " + want);
+    const auto point = checked_triple(key, element, any_number, "give " + want, " contains ");
     if (!point) return {};
     points.push_back(*point);
   }

@@ -105,7 +105,7 @@ class Parameters {
   const Value* require(std::string_view key, bool optional, std::string_view what);
   bool checked_finite(const Value& value, Bounds bounds, double& number) const;
   std::optional<Triple> checked_triple(std::string_view key, const Value& value, Bounds bounds,
-                                       const std::string& remedy);
+                                       const std::string& remedy, std::string_view verb = " is ");
   void fault_at(const Value& value, std::string problem, std::string remedy);
 
   const Table* table_;

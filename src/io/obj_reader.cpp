@@ -17,6 +17,14 @@ bool looks_like_index(const Token& token) {
                              (token.text[0] >= '0' && token.text[0] <= '9'));
 }
 
+/// Words inside of longer statements.
+bool goes_on(std::string_view word) {
+  constexpr std::array<std::string_view, 11> words{
+      "diffuse", "texture_file",    "reflective",        "roughness", "emitted", "angle",
+      "size",    "camera_position", "point_of_interest", "up",        "}"};
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
 bool ordinary_only(std::string_view word) {
   constexpr std::array<std::string_view, 8> words{"mtllib", "usemtl", "o", "g",
                                                   "vn",     "vp",     "l", "usemap"};
@@ -75,12 +83,12 @@ void ObjReader::read() {
     const Statement* statement = find(token.text);
     if (!statement) {
       unknown(token);
-      skip_to_statement();
+      skip_to_statement(token.line);
       continue;
     }
     current_ = statement;
     statement_ = token;
-    if (!(this->*statement->read)()) skip_to_statement();
+    if (!(this->*statement->read)()) skip_to_statement(tokens_.peek().line);
     if (scene_->objects.size() > most_objects) {
       faults_->add(here(), "more than " + std::to_string(most_objects) + " objects",
                    "put them in a mesh");
@@ -104,8 +112,15 @@ void ObjReader::unknown(const Token& token) {
   }
 }
 
-void ObjReader::skip_to_statement() {
-  while (!tokens_.peek().at_end() && !find(tokens_.peek().text)) tokens_.next();
+void ObjReader::skip_to_statement(int line) {
+  Token token = tokens_.peek();
+  while (!token.at_end() && !find(token.text)) {
+    // A word that begins a line was meant as a statement, unless it goes on with a longer one.
+    if (token.line > line && !looks_like_index(token) && !goes_on(token.text)) return;
+    line = token.line;
+    tokens_.next();
+    token = tokens_.peek();
+  }
 }
 
 bool ObjReader::too_many_faults() {

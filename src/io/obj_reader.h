@@ -88,7 +88,8 @@ class ObjReader {
   void add_object(Table table);
 
   void unknown(const Token& token);
-  void skip_to_statement();
+  /// @param line  of the fault: the rest of it is passed over
+  void skip_to_statement(int line);
   void finish();
   void finish_materials();
   void finish_portals();

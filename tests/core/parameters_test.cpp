@@ -8,7 +8,7 @@
 #include <limits>
 #include <memory>
 
-namespace portalens {
+namespace portalens::test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -157,4 +157,4 @@ TEST(Table, SettingAKeyTwiceKeepsTheLastValue) {
 }
 
 }  // namespace
-}  // namespace portalens
+}  // namespace portalens::test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace portalens {
+namespace portalens::test {
 namespace {
 
 const std::vector<std::string>& every_key() {
@@ -59,4 +59,4 @@ TEST(Quotes, NothingUnprintableAndNothingEndlessIsPrinted) {
 }
 
 }  // namespace
-}  // namespace portalens
+}  // namespace portalens::test

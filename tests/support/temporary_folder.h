@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-namespace portalens {
+namespace portalens::test {
 
 class TemporaryFolder {
  public:
@@ -45,4 +45,4 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-}  // namespace portalens
+}  // namespace portalens::test

@@ -1,0 +1,341 @@
+// Broken scene files: each fault is told with its line and a phrase that names it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "io/read_scene.h"
+#include "support/temporary_folder.h"
+#include "world/compile.h"
+
+namespace portalens::test {
+namespace {
+
+struct Broken {
+  const char* title;
+  const char* text;
+  int line;  ///< 0: the file as a whole
+  const char* phrase;
+};
+
+/// Reads and compiles, as the program does.
+std::vector<Fault> faults_of(const std::filesystem::path& file) {
+  try {
+    static_cast<void>(compile(read_scene(file)));
+  } catch (const SceneError& error) {
+    return error.faults();
+  }
+  return {};
+}
+
+std::string all_of(const std::vector<Fault>& faults) {
+  std::string text;
+  for (const Fault& fault : faults) text += to_string(fault) + "\n";
+  return text;
+}
+
+void expect_fault(const char* suffix, const Broken& broken) {
+  const TemporaryFolder folder;
+  folder.write("outside.txt", "x");
+  const auto file = folder.write(std::string("scenes/broken") + suffix, broken.text);
+  folder.write("scenes/words.png", "these are words, not a picture");
+  const std::vector<Fault> faults = faults_of(file);
+  const bool told = std::any_of(faults.begin(), faults.end(), [&](const Fault& fault) {
+    return fault.where.line == broken.line &&
+           to_string(fault).find(broken.phrase) != std::string::npos;
+  });
+  EXPECT_TRUE(told) << broken.title << ": expected line " << broken.line << ", '" << broken.phrase
+                    << "', was told\n"
+                    << all_of(faults);
+  for (const Fault& fault : faults) EXPECT_FALSE(fault.remedy.empty()) << to_string(fault);
+}
+
+constexpr Broken toml_form[] = {
+    {"no value", "[film]\nwidth =\n", 2, "not TOML"},
+    {"no closing bracket", "[film\nwidth = 1\n", 1, "not TOML"},
+    {"open string", "[camera]\ntype = \"perspective\n", 2, "not TOML"},
+    {"a key twice", "[film]\nwidth = 1\nwidth = 2\n", 3, "width"},
+    {"a table twice", "[film]\nwidth = 1\n[film]\nheight = 2\n", 3, "film"},
+    {"bare word", "[physics]\nintegrator = euler\n", 2, "not TOML"},
+    {"two keys on a line", "[film]\nwidth = 1 height = 2\n", 2, "not TOML"},
+    {"open list", "[camera]\nposition = [1, 2\n", 2, "not TOML"},
+    {"lost comma", "[camera]\nposition = [1 2 3]\n", 2, "not TOML"},
+    {"control character", "[film]\nwidth = 1 # \x01\n", 2, "not TOML"},
+    {"not UTF-8", "[film]\n# \xff\xfe\n", 2, "not TOML"},
+    {"key before any table", "width = 3\n", 1, "unknown key 'width'"},
+    {"unknown table", "[film]\n[cameras]\nfov = 3\n", 2, "did you mean camera?"},
+    {"unknown list", "\n[[shpere]]\nradius = 1\n", 2, "did you mean sphere?"},
+    {"a list's kind of another program", "[[disk]]\n", 1, "did you mean ring?"},
+    {"a table of another program", "[background]\n", 1, "did you mean environment?"},
+    {"unknown table, unlike any", "[xyzzyxyzzy]\n", 1, "known are camera"},
+    {"list where a table is wanted", "[[camera]]\nfov = 3\n", 1, "write [camera]"},
+    {"table where a list is wanted", "[sphere]\nradius = 3\n", 1, "write [[sphere]]"},
+    {"number where a table is wanted", "film = 3\n", 1, "write [film]"},
+    {"numbers where tables are wanted", "\nsphere = [1, 2]\n", 2, "write [[sphere]]"},
+    {"a date", "[film]\nwidth = 1979-05-27\n", 2, "date"},
+};
+
+constexpr Broken toml_meaning[] = {
+    {"unknown key", "[shading]\nmax_depth = 3\n", 2, "did you mean max_bounces?"},
+    {"samples of another program", "[sampler]\nspp = 3\n", 2, "did you mean samples?"},
+    {"word for a number", "[[sphere]]\ncenter = [0, 0, 0]\nradius = \"big\"\n", 3, "is a string"},
+    {"number for a word", "[[sphere]]\ncenter = [0, 0, 0]\nradius = 1\nname = 3\n", 4, "string"},
+    {"no radius", "[[sphere]]\ncenter = [0, 0, 0]\n", 1, "has no 'radius'"},
+    {"radius 0", "[[sphere]]\ncenter = [0, 0, 0]\nradius = 0\n", 3, "greater than 0"},
+    {"radius below 0", "[[sphere]]\ncenter = [0, 0, 0]\nradius = -1.5\n", 3, "greater than 0"},
+    {"radius nan", "[[sphere]]\ncenter = [0, 0, 0]\nradius = nan\n", 3, "'radius' is nan"},
+    {"radius infinite", "[[sphere]]\ncenter = [0, 0, 0]\nradius = inf\n", 3, "'radius' is inf"},
+    {"nan in a point", "[[sphere]]\ncenter = [0, nan, 0]\nradius = 1\n", 2, "nan"},
+    {"nan in a line of its own", "[[sphere]]\nradius = 1\ncenter = [0,\n nan,\n 0]\n", 4, "nan"},
+    {"point of two", "[[sphere]]\ncenter = [0, 0]\nradius = 1\n", 2, "'center'"},
+    {"word in a point", "[[sphere]]\ncenter = [0, \"a\", 0]\nradius = 1\n", 2, "a string"},
+    {"unknown material", "[[sphere]]\ncenter = [0, 0, 0]\nradius = 1\nmaterial = \"gold\"\n", 4,
+     "unknown material 'gold'"},
+    {"a name twice",
+     "[[material]]\nname = \"a\"\n[[sphere]]\nname = \"a\"\ncenter = [0, 0, 0]\n"
+     "radius = 1\n",
+     4, "taken"},
+    {"negative mass", "[[mass]]\ncenter = [0, 0, 0]\nmass = -1\n", 3, "'mass' is -1"},
+    {"mass without center", "[[mass]]\nmass = 1\n", 1, "has no 'center'"},
+    {"horizon without mass", "[[sphere]]\ncenter = [0, 0, 0]\nradius = 1\nhorizon = true\n", 4,
+     "horizon"},
+    {"five corners", "[[quad]]\nvertices = [[0,0,0],[1,0,0],[2,1,0],[1,2,0],[0,1,0]]\n", 2,
+     "'vertices'"},
+    {"quad not planar", "[[quad]]\nvertices = [[0,0,0],[1,0,0],[1,1,0.5],[0,1,0]]\n", 2, "plan"},
+    {"portal without pair", "[[portal]]\nvertices = [[0,0,0],[1,0,0],[1,1,0],[0,1,0]]\n", 1,
+     "has no 'pair'"},
+    {"pair that is not there",
+     "[[portal]]\npair = \"b\"\nvertices = [[0,0,0],[1,0,0],[1,1,0],[0,1,0]]\n", 2,
+     "no portal has the name 'b'"},
+    {"portal paired with itself",
+     "[[portal]]\nname = \"a\"\npair = \"a\"\nvertices = [[0,0,0],[1,0,0],[1,1,0],[0,1,0]]\n", 3,
+     "its own pair"},
+    {"pair that is not mutual",
+     "[[portal]]\nname = \"a\"\npair = \"b\"\nvertices = [[0,0,0],[1,0,0],[1,1,0],[0,1,0]]\n"
+     "[[portal]]\nname = \"b\"\npair = \"c\"\nvertices = [[0,0,9],[1,0,9],[1,1,9],[0,1,9]]\n"
+     "[[portal]]\nname = \"c\"\npair = \"b\"\nvertices = [[0,0,5],[1,0,5],[1,1,5],[0,1,5]]\n",
+     3, "names 'b' as its pair"},
+    {"pair of another size",
+     "[[portal]]\nname = \"a\"\npair = \"b\"\nvertices = [[0,0,0],[1,0,0],[1,1,0],[0,1,0]]\n"
+     "[[portal]]\nname = \"b\"\npair = \"a\"\nvertices = [[0,0,9],[2,0,9],[2,2,9],[0,2,9]]\n",
+     8, "congruent"},
+    {"unknown integrator", "[physics]\nintegrator = \"eular\"\n", 2, "did you mean euler?"},
+    {"unknown portal gravity", "[physics]\nportal_gravity = \"maps\"\n", 2, "graviton-map"},
+    {"speed of light 0", "[physics]\nc = 0\n", 2, "'c' is 0"},
+    {"no pixels", "[film]\nwidth = 0\n", 2, "'width' is 0"},
+    {"too many pixels", "[film]\nwidth = 60000\nheight = 60000\n", 2, "pixels"},
+    {"fraction of a pixel", "[film]\nwidth = 10.5\n", 2, "whole number"},
+    {"samples as a list", "[sampler]\nsamples = [1]\n", 2, "whole number"},
+    {"no samples", "[sampler]\nsamples = 0\n", 2, "'samples' is 0"},
+    {"view of 180 degrees", "[camera]\nposition = [0, 0, 1]\nlook_at = [0, 0, 0]\nfov = 180.0\n", 4,
+     "'fov'"},
+    {"camera at what it looks at",
+     "[camera]\nposition = [0, 0, 1]\nlook_at = [0, 0, 1]\nfov = 40.0\n", 3, "look"},
+    {"unknown camera", "[camera]\ntype = \"fisheye\"\nposition = [0, 0, 1]\nlook_at = [0, 0, 0]\n",
+     2, "perspective, orthographic"},
+    {"missing picture", "[environment]\nimage = \"nothere.exr\"\n", 2, "no file"},
+    {"picture outside", "[environment]\nimage = \"../outside.txt\"\n", 2, "leaves the scene"},
+    {"absolute picture", "[environment]\nimage = \"/etc/hostname\"\n", 2, "leaves the scene"},
+    {"device as a picture", "[environment]\nimage = \".\"\n", 2, "not a regular file"},
+    {"words as a picture", "[[material]]\nname = \"m\"\ndiffuse = \"words.png\"\n", 3,
+     "no known kind"},
+    {"missing mesh", "[[mesh]]\nfile = \"nothere.obj\"\n", 2, "no file"},
+    {"mesh without file", "[[mesh]]\nscale = 2\n", 1, "has no 'file'"},
+    {"checker of one colour",
+     "[[material]]\nname = \"m\"\ndiffuse = { checker = [[1, 1, 1]], size = 1.0 }\n", 3, "checker"},
+    {"colour of two", "[[material]]\nname = \"m\"\ndiffuse = [1, 1]\n", 3, "diffuse"},
+    {"light without intensity", "[[light]]\nposition = [0, 0, 0]\n", 1, "has no 'intensity'"},
+    {"infinite reach with portals",
+     "[physics]\nmin_force = 0\nportal_gravity = \"closest-point\"\n"
+     "[[portal]]\nname = \"a\"\npair = \"b\"\nvertices = [[0,0,0],[1,0,0],[1,1,0],[0,1,0]]\n"
+     "[[portal]]\nname = \"b\"\npair = \"a\"\nvertices = [[0,0,9],[1,0,9],[1,1,9],[0,1,9]]\n",
+     2, "min_force"},
+};
+
+constexpr Broken obj_form[] = {
+    {"too few coordinates", "v 1 2\nv 1 2 3\n", 1, "too few values after 'v'"},
+    {"too many coordinates", "v 1 2 3\nv 1 2 3 4\n", 2, "too many values after 'v'"},
+    {"nan", "v 0 0 0\nv 0 nan 0\n", 2, "'nan' is not a finite number"},
+    {"infinity", "v 0 inf 0\n", 1, "'inf' is not a finite number"},
+    {"overflow", "v 0 1e999 0\n", 1, "not a finite number"},
+    {"word for a number", "v 0 0 zero\n", 1, "'zero'"},
+    {"number with a tail", "v 0 0 1.5m\n", 1, "'1.5m'"},
+    {"hexadecimal", "v 0 0 0x10\n", 1, "'0x10'"},
+    {"cut off", "v 0 0 0\nv 1", 2, "ends in the middle of 'v'"},
+    {"unknown statement", "v 0 0 0\nsphere 0 0 0 1\n", 2, "unknown statement 'sphere'"},
+    {"misspelt statement", "materail diffuse 1 1 1\n", 1, "did you mean material?"},
+    {"index 0", "v 0 0 0 v 1 0 0 v 1 1 0\nf 0 1 2\n", 2, "no vertex 0"},
+    {"negative index", "v 0 0 0 v 1 0 0 v 1 1 0\nf -1 -2 -3\n", 2, "no vertex -1"},
+    {"index beyond", "v 0 0 0 v 1 0 0 v 1 1 0\nf 1 2 4\n", 2, "no vertex 4"},
+    {"huge index", "v 0 0 0 v 1 0 0 v 1 1 0\nf 1 2 99999999999999999999\n", 2, "not a vertex"},
+    {"index with a fraction", "v 0 0 0 v 1 0 0 v 1 1 0\nf 1 2 2.5\n", 2, "not a vertex"},
+    {"two corners", "v 0 0 0 v 1 0 0 v 1 1 0\nf 1 2\nm 0", 2, "too few values after 'f'"},
+    {"five corners", "v 0 0 0 v 1 0 0 v 1 1 0\nf 1 2 3 1 2\n", 2, "too many values after 'f'"},
+    {"no such texture coordinate", "v 0 0 0 v 1 0 0 v 1 1 0\nf 1/1 2/1 3/1\n", 2, "'1/1'"},
+    {"slash without index", "v 0 0 0 v 1 0 0 v 1 1 0\nf 1/ 2/ 3/\n", 2, "'1/'"},
+    {"vt before v", "vt 0 0\nv 0 0 0\n", 1, "before any 'v'"},
+    {"material without emitted", "material diffuse 1 1 1 reflective 0 0 0\nv 0 0 0\n", 1,
+     "lacks emitted"},
+    {"material without reflective", "material diffuse 1 1 1 emitted 0 0 0\n", 1,
+     "lacks reflective"},
+    {"two diffuse", "material diffuse 1 1 1\ntexture_file a.png reflective 0 0 0 emitted 0 0 0\n",
+     2, "two of 'texture_file'"},
+    {"material that is not there", "m 3\ns 0 0 0 1\n", 1, "no material 3"},
+    {"negative material", "m -1\ns 0 0 0 1\n", 1, "at least 0"},
+    {"one portal of a pair", "v 0 0 0 v 1 0 0 v 1 1 0 v 0 1 0\np 1 2 3 4 7\n", 2,
+     "pair 7 has 1 portal"},
+    {"three portals of a pair",
+     "v 0 0 0 v 1 0 0 v 1 1 0 v 0 1 0\np 1 2 3 4 7\np 1 2 3 4 7\np 1 2 3 4 7\n", 4,
+     "pair 7 has 3 portals"},
+    {"portal of three corners", "v 0 0 0 v 1 0 0 v 1 1 0\np 1 2 3 0\n", 2, "no vertex 0"},
+    {"mass before nothing", "s 0 0 0 1\nmass 3\n", 2, "no primitive follows"},
+    {"two masses for one", "mass 3\nmass 4\ns 0 0 0 1\n", 1, "no primitive follows"},
+    {"half a center of mass", "mass 3 1 2\ns 0 0 0 1\n", 1, "too few values after 'mass'"},
+    {"physics without a value", "physics G\ns 0 0 0 1\n", 1, "too few values after 'physics'"},
+    {"physics twice", "physics G 1\nphysics G 2\ns 0 0 0 1\n", 2, "given twice"},
+    {"two backgrounds", "background_color 1 1 1\nbackground_color 0 0 0\n", 2, "a second"},
+    {"background beyond white", "background_color 1 2 1\n", 1, "0 to 1"},
+    {"camera without up",
+     "PerspectiveCamera {\ncamera_position < 0, 0, 1 >\npoint_of_interest < 0, 0, 0 >\n"
+     "angle 30\n}\n",
+     1, "lacks its up"},
+    {"camera without commas", "PerspectiveCamera {\ncamera_position < 0 0 1 >\n}\n", 2,
+     "where ',' should stand"},
+    {"camera never closed", "OrthographicCamera {\nsize 3\n", 1, "ends in the middle"},
+    {"size of a perspective camera", "PerspectiveCamera {\nsize 3\n}\n", 2, "'size'"},
+    {"two cameras",
+     "OrthographicCamera { camera_position <0,0,1> point_of_interest <0,0,0> up <0,1,0> size 1 }\n"
+     "OrthographicCamera { camera_position <0,0,1> point_of_interest <0,0,0> up <0,1,0> size 1 }\n",
+     2, "a second camera"},
+    {"ordinary OBJ in a scene", "m 0\nvn 0 0 1\n", 2, "ordinary OBJ"},
+    {"nothing but a comment", "# nothing\n", 0, "no statement"},
+    {"binary",
+     "\x7f"
+     "ELF\x02\x01\x01\n",
+     1, "unknown statement"},
+    {"negative radius", "\ns 0 0 0 -1\n", 2, "greater than 0"},
+    {"unknown physics", "physics gravity 3\ns 0 0 0 1\n", 1, "unknown key 'gravity'"},
+    {"missing texture",
+     "material\ntexture_file no.png reflective 0 0 0 emitted 0 0 0\n"
+     "s 0 0 0 1\n",
+     2, "no file"},
+};
+
+TEST(BrokenScene, WhatIsNotWellFormedTomlIsToldWithItsLine) {
+  for (const Broken& broken : toml_form) expect_fault(".toml", broken);
+}
+
+TEST(BrokenScene, WhatHasNoMeaningIsToldWithItsLine) {
+  for (const Broken& broken : toml_meaning) expect_fault(".toml", broken);
+}
+
+TEST(BrokenScene, WhatIsNotTheObjDialectIsToldWithItsLine) {
+  for (const Broken& broken : obj_form) expect_fault(".obj", broken);
+}
+
+TEST(BrokenScene, AllFaultsOfAFileAreToldInOneGoByLine) {
+  const TemporaryFolder folder;
+  const auto faults = faults_of(folder.write(
+      "a.toml", "[films]\n[shading]\nmax_depth = 3\n[[sphere]]\nradius = nan\n[[ball]]\n"));
+  ASSERT_EQ(faults.size(), 5U) << all_of(faults);
+  const int lines[] = {1, 3, 4, 5, 6};
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(faults[i].where.line, lines[i]);
+}
+
+TEST(BrokenScene, AllFaultsOfADialectFileAreToldInOneGoByLine) {
+  const TemporaryFolder folder;
+  const auto faults = faults_of(folder.write(
+      "a.obj",
+      "v 0 0\nv 1 0 0 v 0 1 0\nf 1 2 9\nfoo 1 2 3\ns 0 0 0 -1\nphysics cc 3\nm 4\ns 1 2 3\n"));
+  std::vector<int> lines;
+  for (const Fault& fault : faults) lines.push_back(fault.where.line);
+  EXPECT_EQ(lines, (std::vector<int>{1, 3, 4, 5, 6, 8})) << all_of(faults);
+}
+
+TEST(BrokenScene, ASyntaxErrorStandsAlone) {
+  const TemporaryFolder folder;
+  const auto faults = faults_of(folder.write("a.toml", "[films]\n[sphere]\nx = = 1\n[[ball]]\n"));
+  ASSERT_EQ(faults.size(), 1U) << all_of(faults);
+  EXPECT_EQ(faults[0].where.line, 3);
+}
+
+TEST(BrokenScene, AFileThatIsNoSceneIsRefusedAsAWhole) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path() / "folder.toml");
+  const std::pair<std::filesystem::path, const char*> cases[] = {
+      {folder.path() / "nothere.toml", "no file"},
+      {folder.path() / "folder.toml", "not a regular file"},
+      {folder.write("empty.toml", ""), "empty"},
+      {folder.write("empty.obj", ""), "empty"},
+      {folder.write("scene.json", "{}"), "unknown suffix '.json'"},
+      {folder.write("scene", "{}"), "no suffix"},
+      {folder.write("big.toml", std::string((1 << 20) + 1, '#')), "at most 1 MiB"}};
+  for (const auto& [file, phrase] : cases) {
+    const auto faults = faults_of(file);
+    ASSERT_EQ(faults.size(), 1U) << file;
+    EXPECT_NE(to_string(faults[0]).find(phrase), std::string::npos) << to_string(faults[0]);
+  }
+}
+
+TEST(BrokenScene, DepthThatWouldOverflowTheParserIsRefused) {
+  const TemporaryFolder folder;
+  std::string dotted = "a", nested(100000, '[');
+  for (int i = 0; i < 100000; ++i) dotted += ".a";
+  const std::pair<std::string, const char*> cases[] = {
+      {"\n" + dotted + " = 1\n", "100000 dots"},
+      {"\n[" + dotted + "]\n", "100000 dots"},
+      {"\na = " + nested + "\n", "100000 deep"},
+      {"\n'x' = '''y\n''' \n" + dotted + " = 1", "100000 dots"},
+      {"\na = \"\\\"\" \n" + dotted + " = 1", "100000 dots"}};
+  for (const auto& [text, phrase] : cases) {
+    const auto faults = faults_of(folder.write("deep.toml", text));
+    ASSERT_EQ(faults.size(), 1U);
+    EXPECT_NE(to_string(faults[0]).find(phrase), std::string::npos) << to_string(faults[0]);
+  }
+}
+
+TEST(BrokenScene, DotsAndBracketsInStringsAndCommentsAreNotDepth) {
+  const TemporaryFolder folder;
+  const std::string many(1000, '.'), brackets(1000, '[');
+  const auto file =
+      folder.write("a.toml", "[[sphere]]\nname = '" + many + brackets + "' # " + many + brackets +
+                                 "\ncenter = [0.5, 0.5, 0.5]\nradius = 1.5\n");
+  EXPECT_TRUE(faults_of(file).empty()) << all_of(faults_of(file));
+}
+
+TEST(BrokenScene, TooManyObjectsAreRefusedWithAWayOut) {
+  const TemporaryFolder folder;
+  std::string text;
+  for (int i = 0; i < 100001; ++i) text += "s 0 0 0 1\n";
+  const auto faults = faults_of(folder.write("many.obj", text));
+  ASSERT_FALSE(faults.empty());
+  EXPECT_NE(all_of(faults).find("put them in a mesh"), std::string::npos);
+}
+
+TEST(BrokenScene, AFileOfFaultsIsNotToldForever) {
+  const TemporaryFolder folder;
+  std::string text;
+  for (int i = 0; i < 100000; ++i) text += "v x\n";
+  EXPECT_LT(faults_of(folder.write("bad.obj", text)).size(), 2000U);
+}
+
+TEST(BrokenScene, NoCutOfAGoodFileCrashesTheReader) {
+  const TemporaryFolder folder;
+  const std::string toml =
+      "[camera]\nposition = [0.0, 2.0, 12.0]\nlook_at = [0, 1.5, 0]\nfov = 40.0\n[[sphere]]\n"
+      "name = \"hole\"\ncenter = [0, 1, 0]\nradius = 0.2\nmass = 1200.0\n";
+  const std::string obj =
+      "v 0 0 0 vt 0 0\nv 1 0 0 vt 1 0\nv 1 1 0 vt 1 1\nmaterial diffuse 1 1 1 reflective 0 0 0\n"
+      "emitted 1 1 1\nf 1/1 2/2 3/3\nPerspectiveCamera { camera_position <0,0,1>\n"
+      "point_of_interest <0,0,0> up <0,1,0> angle 30 }\n";
+  for (std::size_t i = 1; i < toml.size(); ++i) {
+    static_cast<void>(faults_of(folder.write("cut.toml", toml.substr(0, i))));
+  }
+  for (std::size_t i = 1; i < obj.size(); ++i) {
+    static_cast<void>(faults_of(folder.write("cut.obj", obj.substr(0, i))));
+  }
+}
+
+}  // namespace
+}  // namespace portalens::test

@@ -1,0 +1,251 @@
+// A picture comes back as it was written, the same bits every time, and a broken one is refused.
+#include "io/image.h"
+
+#include <OpenImageIO/imageio.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "io/image_bytes.h"
+#include "io/srgb.h"
+#include "support/random.h"
+#include "support/scale.h"
+#include "support/temporary_folder.h"
+
+namespace portalens::test {
+namespace {
+
+constexpr int width = 37, height = 21;
+
+std::vector<Channel> channels_of(std::initializer_list<const char*> names) {
+  Random random(7);
+  std::vector<Channel> channels;
+  for (const char* name : names) {
+    channels.push_back({name, {}});
+    for (int i = 0; i < width * height; ++i)
+      channels.back().values.push_back(static_cast<float>(random.uniform(0.0, 1.0)));
+  }
+  return channels;
+}
+
+std::optional<Image> read(const std::filesystem::path& file) {
+  Faults faults;
+  auto image = read_image(file, {}, faults);
+  EXPECT_EQ(image.has_value(), faults.empty()) << file;
+  return image;
+}
+
+std::string refusal(const std::filesystem::path& file) {
+  Faults faults;
+  EXPECT_FALSE(read_image(file, {}, faults)) << file;
+  try {
+    faults.raise();
+  } catch (const SceneError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// A file as other programs write it.
+std::filesystem::path foreign(const TemporaryFolder& folder, const std::string& name, int channels,
+                              OIIO::TypeDesc type, float value) {
+  const auto file = folder.path() / name;
+  OIIO::ImageSpec spec(width, height, channels, type);
+  spec.attribute("ImageDescription", "a picture");
+  spec.attribute("Artist", "somebody");
+  const std::vector<float> pixels(static_cast<std::size_t>(width * height * channels), value);
+  const auto output = OIIO::ImageOutput::create(file.string());
+  EXPECT_TRUE(output && output->open(file.string(), spec) &&
+              output->write_image(OIIO::TypeDesc::FLOAT, pixels.data()) && output->close());
+  return file;
+}
+
+TEST(ImageFile, AnExrComesBackBitForBit) {
+  const TemporaryFolder folder;
+  const auto channels = channels_of({"R", "G", "B", "depth.Z", "normal.X", "A.first"});
+  write_image(folder.path() / "a.exr", width, height, channels, {{"portalens", "1"}});
+  const auto image = read(folder.path() / "a.exr");
+  ASSERT_TRUE(image);
+  ASSERT_EQ(image->width, width);
+  ASSERT_EQ(image->height, height);
+  for (int i = 0; i < width * height; ++i) {
+    for (int c = 0; c < 3; ++c) {
+      EXPECT_EQ(image->pixels[static_cast<std::size_t>(3 * i + c)],
+                channels[static_cast<std::size_t>(c)].values[static_cast<std::size_t>(i)]);
+    }
+  }
+}
+
+TEST(ImageFile, EveryNamedChannelAndTheMetadataAreInTheExr) {
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "a.exr";
+  const auto channels = channels_of({"R", "G", "B", "depth.Z", "normal.X"});
+  write_image(file, width, height, channels, {{"command", "render a.toml"}});
+  const auto input = OIIO::ImageInput::open(file.string());
+  ASSERT_TRUE(input);
+  EXPECT_EQ(input->spec().get_string_attribute("command"), "render a.toml");
+  for (const Channel& channel : channels) {
+    const int index = input->spec().channelindex(channel.name);
+    ASSERT_GE(index, 0) << channel.name;
+    std::vector<float> plane(channel.values.size());
+    ASSERT_TRUE(input->read_image(0, 0, index, index + 1, OIIO::TypeDesc::FLOAT, plane.data()));
+    EXPECT_EQ(plane, channel.values) << channel.name;
+  }
+}
+
+TEST(ImageFile, APngComesBackToHalfAStep) {
+  const TemporaryFolder folder;
+  const auto channels = channels_of({"B", "other", "R", "G"});
+  write_image(folder.path() / "a.png", width, height, channels, {});
+  const auto image = read(folder.path() / "a.png");
+  ASSERT_TRUE(image);
+  const std::size_t place[] = {2, 3, 0};
+  for (std::size_t i = 0; i < image->pixels.size(); ++i) {
+    const double written = srgb_from_linear(double{channels[place[i % 3]].values[i / 3]});
+    EXPECT_NEAR(srgb_from_linear(double{image->pixels[i]}), written, 0.5 / 255 + 1e-6);
+  }
+}
+
+TEST(ImageFile, ThePngHoldsTheSrgbBytesOfKnownColors) {
+  const TemporaryFolder folder;
+  const std::vector<Channel> channels{
+      {"R", {0.0F, 0.5F}}, {"G", {0.2158605F, 7.0F}}, {"B", {1.0F, -3.0F}}};
+  write_image(folder.path() / "a.png", 2, 1, channels, {});
+  const auto input = OIIO::ImageInput::open((folder.path() / "a.png").string());
+  unsigned char bytes[6] = {};
+  ASSERT_TRUE(input && input->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT8, bytes));
+  const unsigned char expected[] = {0, 128, 255, 188, 255, 0};
+  for (int i = 0; i < 6; ++i) EXPECT_EQ(bytes[i], expected[i]) << i;
+}
+
+TEST(ImageFile, TheSamePictureIsTheSameBytes) {
+  const TemporaryFolder folder;
+  const auto channels = channels_of({"R", "G", "B"});
+  for (const char* name : {"a.exr", "b.exr", "a.png", "b.png"}) {
+    write_image(folder.path() / name, width, height, channels, {});
+  }
+  EXPECT_EQ(folder.read(folder.path() / "a.exr"), folder.read(folder.path() / "b.exr"));
+  EXPECT_EQ(folder.read(folder.path() / "a.png"), folder.read(folder.path() / "b.png"));
+  EXPECT_EQ(folder.read(folder.path() / "a.exr").find("2025"), std::string::npos);
+}
+
+TEST(ImageFile, TheTransferCurveIsItsOwnInverse) {
+  for (int i = 0; i <= 1000; ++i) {
+    const double x = i / 1000.0;
+    EXPECT_NEAR(linear_from_srgb(srgb_from_linear(x)), x, 1e-7);
+  }
+}
+
+TEST(ImageFile, GrayAndTransparentPicturesGiveThreeChannels) {
+  const TemporaryFolder folder;
+  for (const int channels : {1, 2, 3, 4}) {
+    for (const char* kind : {".png", ".exr", ".jpg", ".hdr"}) {
+      const std::string suffix = kind;
+      if ((suffix == ".jpg" && channels % 2 == 0) || (suffix == ".hdr" && channels != 3)) continue;
+      const auto type =
+          suffix == ".exr" || suffix == ".hdr" ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8;
+      const auto file = foreign(folder, std::to_string(channels) + suffix, channels, type, 0.5F);
+      const auto image = read(file);
+      ASSERT_TRUE(image) << file;
+      EXPECT_EQ(image->channels, 3);
+      const double expected = type == OIIO::TypeDesc::FLOAT ? 0.5 : linear_from_srgb(128 / 255.0);
+      for (const float value : image->pixels) {
+        // Transparent colour is stored multiplied or not, as the writer had it.
+        if (channels == 4 && suffix == ".png") continue;
+        if (channels == 2 && suffix == ".png") continue;
+        ASSERT_NEAR(value, expected, 0.01) << file;
+      }
+    }
+  }
+}
+
+TEST(ImageFile, TheKindIsToldByTheBytesNotByTheName) {
+  const TemporaryFolder folder;
+  const auto exr = foreign(folder, "a.exr", 3, OIIO::TypeDesc::FLOAT, 0.5F);
+  std::filesystem::rename(exr, folder.path() / "a.png");
+  EXPECT_TRUE(read(folder.path() / "a.png"));
+  for (const char* name : {"a.tif", "a.bmp", "a.ppm"}) {
+    EXPECT_NE(refusal(foreign(folder, name, 3, OIIO::TypeDesc::UINT8, 0.5F)).find("no known kind"),
+              std::string::npos);
+  }
+  EXPECT_NE(refusal(folder.write("empty.png", "")).find("no known kind"), std::string::npos);
+}
+
+TEST(ImageFile, ValuesThatAreNotFiniteAreRefused) {
+  const TemporaryFolder folder;
+  for (const float bad :
+       {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+    EXPECT_NE(refusal(foreign(folder, "a.exr", 3, OIIO::TypeDesc::FLOAT, bad)).find("(0, 0)"),
+              std::string::npos);
+  }
+  auto channels = channels_of({"R", "G", "B"});
+  channels[1].values[width + 2] = std::numeric_limits<float>::quiet_NaN();
+  try {
+    write_image(folder.path() / "b.exr", width, height, channels, {});
+    FAIL();
+  } catch (const WorkError& error) {
+    EXPECT_NE(std::string(error.what()).find("(2, 1)"), std::string::npos) << error.what();
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "b.exr"));
+}
+
+TEST(ImageFile, AHugeHeaderIsRefusedBeforeAnythingIsAllocated) {
+  const TemporaryFolder folder;
+  EXPECT_NE(refusal(folder.write("a.hdr",
+                                 "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n"
+                                 "-Y 1000000000 +X 1000000000\n"))
+                .find("16384"),
+            std::string::npos);
+  auto png = TemporaryFolder::read(foreign(folder, "a.png", 3, OIIO::TypeDesc::UINT8, 0.5F));
+  png.replace(16, 8, std::string("\x00\x10\x00\x00\x00\x10\x00\x00", 8));  // its checksum is wrong
+  EXPECT_NE(refusal(folder.write("b.png", png)), "");
+}
+
+TEST(ImageFile, DescriptionsAreLeftOutAndThePictureIsNot) {
+  const TemporaryFolder folder;
+  for (const char* name : {"a.jpg", "a.png"}) {
+    const auto bytes = TemporaryFolder::read(foreign(folder, name, 3, OIIO::TypeDesc::UINT8, 0.5F));
+    ASSERT_NE(bytes.find("somebody"), std::string::npos) << name;
+    const auto bare = without_descriptions(bytes, *image_format(bytes));
+    EXPECT_EQ(bare.find("somebody"), std::string::npos) << name;
+    EXPECT_EQ(read(folder.write(name, bare))->pixels, read(folder.write(name, bytes))->pixels);
+  }
+}
+
+TEST(ImageFile, DamageNeverCrashesTheReader) {
+  const TemporaryFolder folder;
+  Random random(11);
+  for (const char* name : {"a.png", "a.jpg", "a.exr", "a.hdr"}) {
+    const std::string suffix = name;
+    const auto type =
+        suffix == "a.exr" || suffix == "a.hdr" ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8;
+    const auto bytes = TemporaryFolder::read(foreign(folder, name, 3, type, 0.25F));
+    for (int trial = 0; trial < scaled(150); ++trial) {
+      std::string damaged = bytes;
+      for (int i = 0; i < 1 + trial % 5; ++i) {
+        damaged[random.bits() % damaged.size()] = static_cast<char>(random.bits());
+      }
+      if (trial % 3 == 0) damaged.resize(random.bits() % damaged.size());
+      static_cast<void>(read(folder.write("damaged", damaged)));
+    }
+  }
+}
+
+TEST(ImageFile, WhatCannotBeWrittenIsToldBeforehand) {
+  const TemporaryFolder folder;
+  EXPECT_NO_THROW(check_writable(folder.path() / "a.exr"));
+  EXPECT_NO_THROW(check_writable(folder.path() / "a.PNG"));
+  EXPECT_THROW(check_writable(folder.path() / "a.jpg"), WorkError);
+  EXPECT_THROW(check_writable(folder.path() / "a"), WorkError);
+  EXPECT_THROW(check_writable(folder.path() / "nofolder/a.exr"), WorkError);
+  std::filesystem::create_directory(folder.path() / "b.exr");
+  EXPECT_THROW(check_writable(folder.path() / "b.exr"), WorkError);
+  const auto channels = channels_of({"R", "G"});
+  EXPECT_THROW(write_image(folder.path() / "a.png", width, height, channels, {}), WorkError);
+  EXPECT_THROW(write_image(folder.path() / "a.exr", width, 2 * height, channels, {}), WorkError);
+  EXPECT_THROW(write_image(folder.path() / "a.exr", 0, 0, {}, {}), WorkError);
+}
+
+}  // namespace
+}  // namespace portalens::test
