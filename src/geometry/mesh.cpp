@@ -15,6 +15,7 @@ namespace portalens {
 
 struct Mesh::Data {
   Triangles triangles;
+  std::vector<std::array<Vec3d, 3>> places;  ///< of each triangle's corners, side by side
   Box bounds;
   std::vector<double> area_up_to;  ///< sum of the areas of the triangles up to each
 };
@@ -128,9 +129,11 @@ Mesh Mesh::loaded(Triangles triangles) const {
   auto data = std::make_shared<Data>();
   double sum = 0.0;
   data->area_up_to.reserve(triangles.corners.size());
+  data->places.reserve(triangles.corners.size());
   for (const Corners& corners : triangles.corners) {
     const auto t = positions_of(triangles, corners);
     for (const Vec3d& p : t) data->bounds.add(p);
+    data->places.push_back(t);
     data->area_up_to.push_back(sum += length(area_vector(t)));
   }
   data->triangles = std::move(triangles);
@@ -141,9 +144,7 @@ Mesh Mesh::loaded(Triangles triangles) const {
 
 std::size_t Mesh::triangle_count() const { return data_ ? data_->triangles.corners.size() : 0; }
 
-std::array<Vec3d, 3> Mesh::triangle(std::uint32_t face) const {
-  return positions_of(data_->triangles, data_->triangles.corners[face]);
-}
+std::array<Vec3d, 3> Mesh::triangle(std::uint32_t face) const { return data_->places[face]; }
 
 Vec3d Mesh::normal(std::uint32_t face) const { return normalize(area_vector(triangle(face))); }
 
