@@ -28,7 +28,7 @@ BENEATH["app"] = list(BENEATH)
 
 # Libraries that only some places may know: start of the include -> starts of the paths.
 KEPT = {
-    "embree": ["geometry/accelerator.cpp"],
+    "embree": ["geometry/box_tree.cpp"],
     "tbb/": ["render/parallel.h"],
     "oneapi/": ["render/parallel.h"],
     "OpenImageIO/": ["io/"],

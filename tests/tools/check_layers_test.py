@@ -44,7 +44,7 @@ class CheckLayers(unittest.TestCase):
             self.assertIn(f"src/{path}:1: ", output)
 
     def test_a_library_stays_where_it_is_kept(self):
-        for line, place in (("<embree3/rtcore.h>", "geometry/accelerator.cpp"),
+        for line, place in (("<embree3/rtcore.h>", "geometry/box_tree.cpp"),
                             ("<tbb/parallel_for.h>", "render/parallel.h"),
                             ("<oneapi/tbb/task_arena.h>", "render/parallel.h"),
                             ("<OpenImageIO/imageio.h>", "io/image.cpp")):
