@@ -72,7 +72,8 @@ std::optional<PortalContact> PortalSet::nearest(const Ray& ray, double low, doub
     const double rounding =
         1e-15 * (length(ray.origin) + length(portal.frame.origin) + portal.longest_edge);
     if (distance < low && (low - distance) * std::fabs(slope) <= rounding) distance = low;
-    if (i == underfoot && distance <= within) continue;
+    const bool left_here = i == underfoot || (underfoot != no_portal && portal.pair == underfoot);
+    if (left_here && distance <= within) continue;
     if (!(distance >= low && distance <= high) || (best && distance >= best->distance)) continue;
     if (margin(portal, portal.frame.to_local(ray.at(distance))) < -1e-12 * portal.longest_edge)
       continue;

@@ -33,8 +33,8 @@ class PortalSet {
 
   /// The nearest front, or back with a material, at low <= distance <= high. A front is met only by
   /// a ray that goes against its normal, so one that has just left through it doesn't meet it.
-  /// @param underfoot  where a pair's members lie in one place, the portal just entered is still
-  ///                   there: not met at distances up to `within`
+  /// @param underfoot  the portal just entered: at distances up to `within` neither it is met
+  ///                   (a pair's members may lie in one place), nor the back of its pair
   [[nodiscard]] std::optional<PortalContact> nearest(const Ray& ray, double low, double high,
                                                      std::uint32_t underfoot = no_portal,
                                                      double within = 0.0) const;
