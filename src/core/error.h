@@ -25,8 +25,8 @@ struct Fault {
 /// `file:line: problem; remedy`, as the user reads it.
 [[nodiscard]] std::string to_string(const Fault& fault);
 
-/// All the faults of a scene, sorted by file and line. Thrown by readers and by `compile`, caught
-/// once, in `app`.
+/// All the faults of a scene, sorted by file and line; after the first thousand only their number.
+/// Thrown by readers and by `compile`, caught once, in `app`.
 class SceneError : public std::runtime_error {
  public:
   explicit SceneError(std::vector<Fault> faults);

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <vector>
 
+#include "io/lines.h"
 #include "io/obj_reader.h"
 
 namespace portalens {
@@ -18,25 +20,47 @@ bool contains(const std::array<std::string_view, count>& words, std::string_view
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-/// Told by the words that begin lines. One word of the dialect's own decides; `f`, `p`, `r`, `s`,
-/// `v` and `vt` say nothing, since both kinds have them or might.
-Kind kind_of(std::string_view text) {
+/// What a line says about the kind of its file.
+enum class Hint { nothing, dialect, ordinary, small_face, large_face };
+
+/// So many of the words after the first are indices.
+std::size_t count_indices(const std::vector<std::string_view>& words) {
+  const auto end = std::find_if(words.begin() + 1, words.end(), [](std::string_view word) {
+    return word[0] != '-' && (word[0] < '0' || word[0] > '9');
+  });
+  return static_cast<std::size_t>(end - words.begin()) - 1;
+}
+
+Hint hint_of(const std::vector<std::string_view>& words) {
   constexpr std::array<std::string_view, 7> dialect{
       "material",           "m",    "background_color", "PerspectiveCamera",
       "OrthographicCamera", "mass", "physics"};
-  constexpr std::array<std::string_view, 6> ordinary{"mtllib", "usemtl", "o", "g", "vn", "vp"};
-  Kind kind = Kind::dialect;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    const std::string_view line = text.substr(begin, end - begin);
-    const std::size_t first = std::min(line.find_first_not_of(" \t\r"), line.size());
-    const std::size_t last = std::min(line.find_first_of(" \t\r", first), line.size());
-    const std::string_view word = line.substr(first, last - first);
-    if (contains(dialect, word)) return Kind::dialect;
-    if (contains(ordinary, word)) kind = Kind::ordinary;
-    begin = end + 1;
+  constexpr std::array<std::string_view, 7> ordinary{"mtllib", "usemtl", "o", "g", "vn", "vp", "l"};
+  const std::string_view word = words[0];
+  if (contains(ordinary, word)) return Hint::ordinary;
+  for (const std::string_view any : words) {
+    if (contains(dialect, any)) return Hint::dialect;
   }
-  return kind;
+  const std::size_t values = count_indices(words);
+  if (word == "s") return words.size() == 2 ? Hint::ordinary : Hint::dialect;  // or a sphere
+  if (word == "r" || (word == "p" && values >= 5)) return Hint::dialect;
+  if (word != "f") return Hint::nothing;
+  return values > 4 || (values > 0 && words[1][0] == '-') ? Hint::large_face : Hint::small_face;
+}
+
+/// One word of the dialect's own decides, and so does else one of ordinary OBJ. Where there is
+/// neither, a few small faces are a scene of quads; anything more is a mesh.
+Kind kind_of(std::string_view text) {
+  constexpr std::size_t few = 1000;
+  bool ordinary = false;
+  std::size_t faces = 0;
+  for (LineReader lines(text); lines.next();) {
+    const Hint hint = hint_of(lines.words());
+    if (hint == Hint::dialect) return Kind::dialect;
+    ordinary |= hint == Hint::ordinary || hint == Hint::large_face;
+    faces += hint == Hint::small_face ? 1 : 0;
+  }
+  return ordinary || faces > few ? Kind::ordinary : Kind::dialect;
 }
 
 void read_as_mesh(const Location& whole, Scene& scene) {

@@ -140,7 +140,7 @@ bool ObjReader::physics() {
   if (key.at_end()) return refuse(key, "");
   tokens_.next();
   const Token word = tokens_.peek();
-  if (word.at_end() || begins_statement(word) || word.line != statement_.line) {
+  if (word.at_end() || begins_statement(word)) {
     faults_->add(here(), "too few values after 'physics'", "write physics KEY VALUE");
     return false;
   }

@@ -1,5 +1,7 @@
 // Broken scene files: each fault is told with its line and a phrase that names it.
 #include <gtest/gtest.h>
+#include <stdio.h>
+#include <sys/wait.h>
 
 #include <algorithm>
 #include <string>
@@ -166,12 +168,12 @@ constexpr Broken obj_form[] = {
     {"unknown statement", "v 0 0 0\nsphere 0 0 0 1\n", 2, "unknown statement 'sphere'"},
     {"misspelt statement", "materail diffuse 1 1 1\n", 1, "did you mean material?"},
     {"index 0", "v 0 0 0 v 1 0 0 v 1 1 0\nf 0 1 2\n", 2, "no vertex 0"},
-    {"negative index", "v 0 0 0 v 1 0 0 v 1 1 0\nf -1 -2 -3\n", 2, "no vertex -1"},
+    {"negative index", "v 0 0 0 v 1 0 0 v 1 1 0\nf 3 -2 -3\n", 2, "no vertex -2"},
     {"index beyond", "v 0 0 0 v 1 0 0 v 1 1 0\nf 1 2 4\n", 2, "no vertex 4"},
     {"huge index", "v 0 0 0 v 1 0 0 v 1 1 0\nf 1 2 99999999999999999999\n", 2, "not a vertex"},
     {"index with a fraction", "v 0 0 0 v 1 0 0 v 1 1 0\nf 1 2 2.5\n", 2, "not a vertex"},
     {"two corners", "v 0 0 0 v 1 0 0 v 1 1 0\nf 1 2\nm 0", 2, "too few values after 'f'"},
-    {"five corners", "v 0 0 0 v 1 0 0 v 1 1 0\nf 1 2 3 1 2\n", 2, "too many values after 'f'"},
+    {"five corners", "m 0 v 0 0 0 v 1 0 0 v 1 1 0\nf 1 2 3 1 2\n", 2, "too many values after 'f'"},
     {"no such texture coordinate", "v 0 0 0 v 1 0 0 v 1 1 0\nf 1/1 2/1 3/1\n", 2, "'1/1'"},
     {"slash without index", "v 0 0 0 v 1 0 0 v 1 1 0\nf 1/ 2/ 3/\n", 2, "'1/'"},
     {"vt before v", "vt 0 0\nv 0 0 0\n", 1, "before any 'v'"},
@@ -318,6 +320,33 @@ TEST(BrokenScene, AFileOfFaultsIsNotToldForever) {
   std::string text;
   for (int i = 0; i < 100000; ++i) text += "v x\n";
   EXPECT_LT(faults_of(folder.write("bad.obj", text)).size(), 2000U);
+}
+
+/// What the program says, and how it ends.
+std::pair<int, std::string> run(const std::string& arguments) {
+  FILE* pipe = ::popen((std::string(PORTALENS_PROGRAM) + " " + arguments + " 2>&1").c_str(), "r");
+  std::string said;
+  char buffer[4096];
+  while (std::fgets(buffer, sizeof buffer, pipe)) said += buffer;
+  return {WEXITSTATUS(::pclose(pipe)), said};
+}
+
+TEST(BrokenScene, TheProgramTellsTheFaultEndsWithTwoAndWritesNothing) {
+  const TemporaryFolder folder;
+  const std::filesystem::path scenes[] = {
+      folder.write("a.toml", "[film]\nwidth = 8\nheight = 8\n[shading]\nmax_depth = 3\n"),
+      folder.write("b.toml", "[film\n"), folder.write("c.obj", "v 0 0 0\nf 1 2 3\n"),
+      folder.path() / "nothere.toml"};
+  for (const auto& scene : scenes) {
+    const auto picture = folder.path() / "picture.png";
+    const auto [code, said] = run("render " + scene.string() + " -o " + picture.string());
+    EXPECT_EQ(code, 2) << said;
+    EXPECT_NE(said.find(scene.filename().string()), std::string::npos) << said;
+    EXPECT_FALSE(std::filesystem::exists(picture));
+    EXPECT_EQ(run("check " + scene.string()).first, 2);
+  }
+  const auto entries = std::filesystem::directory_iterator(folder.path());
+  EXPECT_EQ(std::distance(begin(entries), end(entries)), 3);
 }
 
 TEST(BrokenScene, NoCutOfAGoodFileCrashesTheReader) {

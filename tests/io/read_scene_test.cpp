@@ -262,6 +262,30 @@ TEST(ObjScene, WhiteSpaceAndCommentsMakeNoDifference) {
   }
 }
 
+TEST(ObjScene, TheKindOfAnObjIsToldByItsStatements) {
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+  std::string many = points;
+  for (int i = 0; i < 1001; ++i) many += "f 1 2 3\n";
+  const std::pair<std::string, const char*> cases[] = {
+      {points + "f 1 2 3 4\n", "quad"},
+      {points + "f 1 2 3 4 m 0 f 1 2 3\nmaterial diffuse 1 1 1 reflective 0 0 0 emitted 0 0 0",
+       "quad"},
+      {points + "s 0 0 0 1 f 1 2 3 4\n", "sphere"},
+      {points + "f 1 2 3 4\nmass 2 s 0 0 0 1\n", "quad"},
+      {many, "mesh"},
+      {many + "m 0 material diffuse 1 1 1 reflective 0 0 0 emitted 0 0 0", "quad"},
+      {points + "s off\nf 1 2 3 4\n", "mesh"},
+      {points + "s 1\nf 1 2 3 4\n", "mesh"},
+      {points + "o m\nf 1 2 3 4\n", "mesh"},
+      {points + "f 1 2 3 4 1\n", "mesh"},
+      {points + "f -1 -2 -3\n", "mesh"}};
+  for (const auto& [text, kind] : cases) {
+    const Scene scene = scene_from("a.obj", text);
+    ASSERT_FALSE(scene.objects.empty()) << text;
+    EXPECT_EQ(scene.objects[0].kind, kind) << text;
+  }
+}
+
 TEST(ObjScene, AnOrdinaryMeshIsASceneOfOneMesh) {
   const Scene scene = scene_from(
       "bunny.obj",
