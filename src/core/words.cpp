@@ -184,11 +184,14 @@ std::string in_quotes(std::string_view word) {
 }
 
 std::string listed(const std::vector<std::string>& words) {
+  constexpr std::size_t most_listed = 40;
   std::string result;
-  for (const std::string& word : words) {
-    if (!result.empty()) result += ", ";
-    result += word;
+  for (std::size_t i = 0; i < words.size() && i < most_listed; ++i) {
+    if (i > 0) result += ", ";
+    result += words[i];
   }
+  if (words.size() > most_listed)
+    result += " and " + std::to_string(words.size() - most_listed) + " more";
   return result;
 }
 

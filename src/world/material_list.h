@@ -5,9 +5,11 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "shading/material.h"
+#include "world/name_index.h"
 #include "world/names.h"
 
 namespace portalens {
@@ -29,7 +31,7 @@ class MaterialList {
   std::uint32_t plain();
 
   std::vector<Material> materials_;
-  std::size_t named_ = 0;  ///< so many of them, the first, can be named
+  NameIndex named_;
   std::optional<std::uint32_t> plain_;
 };
 
