@@ -11,6 +11,8 @@ namespace portalens {
 
 inline constexpr double largest_coordinate = 1e12;
 inline constexpr double smallest_length = 1e-9;
+/// What a coordinate must satisfy.
+inline constexpr Bounds coordinate{-largest_coordinate, largest_coordinate, false};
 
 /// Adds a fault at `key` if the box leaves ±1e12, or if `least`, the shape's smallest length, is
 /// below 1e-9 or lost in the rounding of its place.

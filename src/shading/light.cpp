@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/extent.h"
+
 namespace portalens {
 namespace {
 
@@ -15,7 +17,7 @@ double area_of(const TriangleLight::Triangle& t) {
 
 PointLight PointLight::from(Parameters& parameters) {
   PointLight light;
-  light.position = to_vec3(parameters.triple("position"));
+  light.position = to_vec3(parameters.triple("position", coordinate));
   light.intensity = to_vec3(parameters.triple("intensity", non_negative));
   return light;
 }

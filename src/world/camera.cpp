@@ -6,6 +6,8 @@
 #include <numbers>
 #include <string>
 
+#include "geometry/extent.h"
+
 namespace portalens {
 namespace {
 
@@ -98,9 +100,9 @@ Camera Camera::from(Parameters& parameters, const std::optional<Box>& whole) {
     size = standpoint.size;
   }
   const std::size_t before = parameters.faults().size();
-  camera.position = to_vec3(parameters.triple("position", any_number, position));
-  const Vec3d target = to_vec3(parameters.triple("look_at", any_number, look_at));
-  const Vec3d up = to_vec3(parameters.triple("up", any_number, Triple{0, 1, 0}));
+  camera.position = to_vec3(parameters.triple("position", coordinate, position));
+  const Vec3d target = to_vec3(parameters.triple("look_at", coordinate, look_at));
+  const Vec3d up = to_vec3(parameters.triple("up", coordinate, Triple{0, 1, 0}));
   if (parameters.faults().size() == before) orient(camera, target, up, parameters);
   if (!perspective) camera.size = parameters.number("size", positive, size);
   return camera;

@@ -4,12 +4,10 @@
 #include <string_view>
 
 #include "core/words.h"
+#include "geometry/extent.h"
 
 namespace portalens {
 namespace {
-
-/// A horizon wider than this is beyond what coordinates can say.
-constexpr double widest = 1e15;
 
 void refuse_without_mass(Parameters& parameters) {
   for (const std::string_view key : {"center_of_mass", "core_radius", "horizon"}) {
@@ -33,14 +31,14 @@ std::optional<std::uint32_t> read_mass(Parameters& parameters, const std::string
   mass.center = center;
   const double kilograms = parameters.number("mass", non_negative);
   if (key == MassKey::optional && parameters.has("center_of_mass"))
-    mass.center = to_vec3(parameters.triple("center_of_mass"));
+    mass.center = to_vec3(parameters.triple("center_of_mass", coordinate));
   mass.core = parameters.number("core_radius", non_negative, 0.0);
   mass.horizon = parameters.boolean("horizon", mass.core == 0.0);
   mass.gm = physics.G * kilograms;
   mass.schwarzschild = schwarzschild_radius(mass.gm, physics.c);
   mass.influence = influence_radius(mass.gm, physics.min_force);
-  if (!(mass.schwarzschild <= widest) || !std::isfinite(mass.gm)) {
-    parameters.fault("mass", "the horizon of this mass is wider than 1e15",
+  if (!(mass.schwarzschild <= largest_coordinate) || !std::isfinite(mass.gm)) {
+    parameters.fault("mass", "the horizon of this mass is wider than 1e12",
                      "give a smaller mass, or a smaller G");
     return std::nullopt;
   }

@@ -4,6 +4,7 @@
 
 #include "core/choice.h"
 #include "core/words.h"
+#include "geometry/extent.h"
 
 namespace portalens {
 namespace {
@@ -19,7 +20,7 @@ class ObjectReader {
     if (table.kind == "portal") {
       portals_.read(parameters, name, context_.materials, context_.physics, objects_.masses);
     } else if (table.kind == "mass") {
-      const Vec3d center = to_vec3(parameters.triple("center"));
+      const Vec3d center = to_vec3(parameters.triple("center", coordinate));
       (void)read_mass(parameters, name, MassKey::required, center, context_.physics,
                       objects_.masses);
     } else if (!read_shape(parameters, name)) {

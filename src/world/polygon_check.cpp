@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/extent.h"
 #include "portal/portal.h"
 
 namespace portalens {
@@ -14,9 +15,6 @@ namespace {
 constexpr double coincident = 1e-9;
 constexpr double planar = 1e-6;
 constexpr double convex = 1e-9;
-
-/// Coordinates beyond this have lost too many digits.
-constexpr double farthest = 1e15;
 
 Vec3d doubled_area(const std::vector<Vec3d>& vertices) {
   Vec3d sum;
@@ -56,8 +54,8 @@ std::string written(const std::vector<Vec3d>& vertices) {
 
 std::optional<PolygonFault> polygon_fault(const std::vector<Vec3d>& vertices) {
   for (const Vec3d& v : vertices)
-    if (!(std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}) <= farthest))
-      return PolygonFault{"vertices lie farther than 1e15 from the origin", "move them nearer"};
+    if (!(std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}) <= largest_coordinate))
+      return PolygonFault{"vertices lie farther than 1e12 from the origin", "move them nearer"};
   const double longest = longest_edge(vertices);
   for (std::size_t i = 0; i < vertices.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)

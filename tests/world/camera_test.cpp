@@ -86,7 +86,9 @@ TEST(Camera, WithoutOneTheWholeSceneIsSeenFromPlusZ) {
   }
 }
 
-TEST(Camera, AnEmptySceneHasOneToo) { EXPECT_TRUE(is_finite(compiled("[film]\n").camera.position)); }
+TEST(Camera, AnEmptySceneHasOneToo) {
+  EXPECT_TRUE(is_finite(compiled("[film]\n").camera.position));
+}
 
 }  // namespace
 }  // namespace portalens

@@ -1,0 +1,113 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "io/image.h"
+#include "support/scene_text.h"
+
+namespace portalens {
+namespace {
+
+using test::compiled;
+using test::faults_of;
+using test::Folder;
+
+void write_picture(const std::filesystem::path& file) {
+  write_image(file, 2, 1, {{"R", {0.25f, 1}}, {"G", {0.5f, 1}}, {"B", {0.75f, 1}}}, {});
+}
+
+const Picture& picture_of(const Material& material) { return std::get<Picture>(material.diffuse); }
+
+TEST(Files, AnImageIsReadOnceHoweverManyMaterialsNameIt) {
+  const Folder folder;
+  write_picture(folder.path() / "p.exr");
+  const World world = compiled(folder, R"(
+[environment]
+image = "p.exr"
+rotation = 90
+[[material]]
+diffuse = "p.exr"
+[[material]]
+diffuse = "./p.exr"
+)");
+  const auto& materials = world.appearance.materials;
+  const Image* image = picture_of(materials[0]).image.get();
+  EXPECT_EQ(image, picture_of(materials[1]).image.get());
+  EXPECT_EQ(image, world.appearance.environment.image.get());
+  EXPECT_EQ(world.appearance.environment.rotation, 90.0);
+  SurfacePoint point;
+  point.u = 0.25;
+  point.v = 0.5;
+  EXPECT_EQ(picture_of(materials[0]).at(point), (Rgb{0.25, 0.5, 0.75}));
+}
+
+TEST(Files, OutsideTheFolderAreReadOnlyIfAllowed) {
+  const Folder folder;
+  std::filesystem::create_directory(folder.path() / "inner");
+  write_picture(folder.path() / "p.exr");
+  const auto file = folder.write("inner/scene.toml", "[[material]]\ndiffuse = \"../p.exr\"\n");
+  EXPECT_THROW((void)compile(read_scene(file)), SceneError);
+  const World world = compile(read_scene(file), {Containment::anywhere});
+  EXPECT_EQ(picture_of(world.appearance.materials[0]).image->width, 2);
+}
+
+TEST(Files, TheTexturesOfAMeshLieBesideIt) {
+  const Folder folder;
+  std::filesystem::create_directory(folder.path() / "inner");
+  write_picture(folder.path() / "inner/p.exr");
+  folder.write("inner/m.mtl", "newmtl a\nKd 1 1 1\nmap_Kd p.exr\n");
+  folder.write("inner/m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n");
+  const World world = compiled(folder, "[[mesh]]\nfile = \"inner/m.obj\"\n");
+  const Body& body = world.appearance.bodies[0];
+  EXPECT_EQ(picture_of(world.appearance.materials[body.material_of(0)]).image->width, 2);
+}
+
+TEST(Files, ASceneOfTheDialectCompiles) {
+  const Folder folder;
+  const auto file = folder.write("a.obj", R"(
+PerspectiveCamera {
+camera_position < 0, 1, 9 >
+point_of_interest < 0, 1, 0 >
+up < 0, 1, 0 >
+angle 30
+}
+physics G 2
+material
+diffuse 1 0 0
+reflective 0 0 0
+emitted 0 0 0
+material
+diffuse 0 0 0
+reflective 0 0 0
+emitted 5 5 5
+v -1 0 0
+v 1 0 0
+v 1 2 0
+v -1 2 0
+v -1 0 -5
+v 1 0 -5
+v 1 2 -5
+v -1 2 -5
+m 0
+mass 10
+s 0 1 3 0.5
+m 1
+f 1 2 3 4
+p 1 2 3 4 7
+p 5 6 7 8 7
+)");
+  const World world = compile(read_scene(file));
+  EXPECT_EQ(world.camera.fov_axis, FovAxis::smaller);
+  EXPECT_EQ(world.camera.fov, 30.0);
+  EXPECT_EQ(world.appearance.environment.color, (Rgb{1, 1, 1}));
+  ASSERT_EQ(world.space.masses.size(), 1u);
+  EXPECT_DOUBLE_EQ(world.space.masses[0].gm, 20.0);
+  EXPECT_EQ(world.space.masses[0].name, "sphere0");
+  ASSERT_EQ(world.appearance.lights.size(), 1u);
+  EXPECT_EQ(name_of(world.appearance.lights[0]), "quad0");
+  ASSERT_EQ(world.space.portals.portals().size(), 2u);
+  EXPECT_EQ(world.space.portals.portals()[0].pair, 1u);
+}
+
+}  // namespace
+}  // namespace portalens
