@@ -184,14 +184,11 @@ std::string in_quotes(std::string_view word) {
 }
 
 std::string listed(const std::vector<std::string>& words) {
-  constexpr std::size_t most_listed = 40;
   std::string result;
-  for (std::size_t i = 0; i < words.size() && i < most_listed; ++i) {
-    if (i > 0) result += ", ";
-    result += words[i];
+  for (const std::string& word : words) {
+    if (!result.empty()) result += ", ";
+    result += word;
   }
-  if (words.size() > most_listed)
-    result += " and " + std::to_string(words.size() - most_listed) + " more";
   return result;
 }
 

@@ -13,7 +13,7 @@ namespace portalens {
 
 [[nodiscard]] inline std::string quoted(std::string_view word) { return in_quotes(word); }
 
-/// `a, b, c`; of very many, the first and how many more.
+/// `a, b, c`
 [[nodiscard]] std::string listed(const std::vector<std::string>& words);
 
 /// The member of `known` that `word` was probably meant to be, or an empty string: the same word in

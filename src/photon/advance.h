@@ -10,8 +10,9 @@
 #include "gravity/field.h"
 #include "photon/curve.h"
 #include "photon/engine.h"
+#include "photon/horizons.h"
 #include "photon/obstacles.h"
-#include "photon/step.h"
+#include "photon/travel.h"
 
 namespace portalens {
 
@@ -27,59 +28,93 @@ class Tracer {
         obstacles_(space.surfaces, space.portals) {}
 
   [[nodiscard]] Arrival advance(const Photon& photon, Journey* journey) {
-    state_ = {photon.position, photon.direction};
-    start_ = PathStart{};
-    start_.departure = photon.departure;
-    arrival_ = Arrival{};
-    crossings_ = 0;
-    free_length_ = 0.0;
-    restless_ = true;
     journey_ = journey;
-    if (journey_) journey_->stretches.back().push_back(state_.position);
+    resume(Travel::of(photon));
+    if (journey_) journey_->stretches.back().push_back(travel_.state.position);
     while (!one_step()) {
     }
-    if (journey_) journey_->stretches.back().push_back(state_.position);
-    arrival_.position = state_.position;
-    arrival_.direction = state_.direction;
-    arrival_.crossings = crossings_;
-    return arrival_;
+    if (journey_) journey_->stretches.back().push_back(travel_.state.position);
+    return travel_.arrived();
   }
 
- private:
-  enum class Boundary : std::uint8_t { inside, crossed };
+  /// Takes up a way that was begun elsewhere.
+  void resume(const Travel& way) {
+    travel_ = way;
+    free_length_ = 0.0;
+    restless_ = true;
+  }
+  [[nodiscard]] const Travel& way() const { return travel_; }
 
-  /// Whether the photon has arrived.
-  [[nodiscard]] bool one_step() {
+  /// One flight or step; whether the photon has arrived.
+  bool one_step() {
     const Physics& physics = space_.physics;
-    if (!is_finite(state_.position) || !is_finite(state_.direction)) return end(Fate::lost);
-    if (const auto mass = horizon_around(state_.position)) return absorb(*mass);
-    if (arrival_.turning > physics.max_turning) return end(Fate::trapped);
-    if (arrival_.steps >= physics.max_steps || arrival_.length > physics.max_length)
+    Arrival& arrival = travel_.arrival;
+    if (!is_finite(travel_.state.position) || !is_finite(travel_.state.direction))
       return end(Fate::lost);
-    ++arrival_.steps;
+    if (const auto mass = horizon_around(space_.masses, travel_.state.position))
+      return absorb(*mass);
+    if (arrival.turning > physics.max_turning) return end(Fate::trapped);
+    if (arrival.steps >= physics.max_steps || arrival.length > physics.max_length)
+      return end(Fate::lost);
+    ++arrival.steps;
 
     if (restless_) {
       field_.surround(ahead(), surroundings_);
       if (surroundings_.silent()) return fly();
-      bending_ = field_.bending(state_.position, surroundings_);
+      bending_ = field_.bending(travel_.state.position, surroundings_);
       restless_ = false;
     }
     if (far_from_all()) return true;
     return step();
   }
 
+  /// What happens where the way meets something, at the place where it is; whether it ends there.
+  bool encounter(const Encounter& met) {
+    Arrival& arrival = travel_.arrival;
+    if (met.kind != Encounter::Kind::portal_front) {
+      arrival.met = met.kind == Encounter::Kind::surface ? Met::surface : Met::portal_back;
+      arrival.object = met.object;
+      arrival.face = met.face;
+      return end(Fate::hit);
+    }
+    if (arrival.crossings >= space_.max_crossings) return end(Fate::lost);
+    ++arrival.crossings;
+    const Portal& portal = space_.portals.portals()[met.object];
+    const Portal& other = space_.portals.portals()[portal.pair];
+    arrival.tint = arrival.tint * portal.tint;
+    travel_.state = {portal.through.move(travel_.state.position),
+                     portal.through.rotate(travel_.state.direction)};
+    travel_.start = {Departure{}, other.height_tolerance(), met.object, 1e-6 * other.longest_edge};
+    free_length_ = 0.0;
+    restless_ = true;
+    if (journey_) {
+      journey_->crossings.push_back(met.object);
+      journey_->stretches.push_back({travel_.state.position});
+    }
+    return false;
+  }
+
+  bool absorb(std::uint32_t mass) {
+    travel_.arrival.met = Met::mass;
+    travel_.arrival.object = mass;
+    return end(Fate::absorbed);
+  }
+
+ private:
   /// A point slightly ahead: what acts there decides what acts over the step.
   [[nodiscard]] Vec3d ahead() const {
-    return state_.position + state_.direction * (1e-9 * space_.extent);
+    return travel_.state.position + travel_.state.direction * (1e-9 * space_.extent);
   }
 
   /// Straight flight, outside all influence.
   bool fly() {
-    const Ray ray{state_.position, state_.direction};
+    const Ray ray{travel_.state.position, travel_.state.direction};
     const double resolution = 1e-7 * space_.extent;
+    // At the edge of a coupling that is not yet felt at least this far.
     const double reach =
-        field_.free_flight(ray, resolution, 1e3 * space_.extent + length(ray.origin));
-    std::optional<Encounter> met = obstacles_.first(ray, reach, start_);
+        std::fmax(2.0 * resolution,
+                  field_.free_flight(ray, resolution, 1e3 * space_.extent + length(ray.origin)));
+    std::optional<Encounter> met = obstacles_.first(ray, reach, travel_.start);
     double distance = met ? met->distance : reach;
     std::optional<std::uint32_t> swallowed;
     for (std::uint32_t i = 0; i < space_.masses.size(); ++i) {
@@ -92,9 +127,6 @@ class Tracer {
     move_on({ray.at(distance), ray.direction}, distance, 0.0);
     if (swallowed) return absorb(*swallowed);
     if (met) return encounter(*met);
-    if (distance <= resolution) {  // at the edge of a coupling that is not yet felt
-      move_on({ray.at(2 * resolution), ray.direction}, 2 * resolution, 0.0);
-    }
     return false;
   }
 
@@ -109,7 +141,7 @@ class Tracer {
         curve = try_step(h);
       }
     }
-    const auto swallowed = horizon_on(curve);
+    const auto swallowed = first_horizon(space_.masses, curve);
     const double limit = swallowed ? swallowed->distance : std::numeric_limits<double>::infinity();
     const auto met = obstacle_on(curve);
     if (swallowed && (!met || limit <= met->distance)) {
@@ -123,7 +155,7 @@ class Tracer {
     move_on(end_, h, curve.turning(h));
     bending_ = end_bending_;
     if constexpr (!I::fixed_step) {
-      restless_ = changed_;
+      restless_ = changed_ || bending_.nearness == 0.0;
     } else {
       restless_ = true;
     }
@@ -136,6 +168,8 @@ class Tracer {
       h = integrator_.length;
     } else {
       h = integrator_.propose(bending_.stiffness, bending_.nearness);
+      // Within reach of a portal whose surroundings do not pull: nothing to choose a step from.
+      if (bending_.nearness == 0.0) h = space_.extent / 64.0;
       h = std::fmin(h, straight_exit());
     }
     return std::fmin(std::fmax(h, 1e-9 * space_.extent),
@@ -145,7 +179,7 @@ class Tracer {
   /// The distance to the nearest boundary of an influence, along the parabola of the path.
   [[nodiscard]] double straight_exit() const {
     double least = std::numeric_limits<double>::infinity();
-    const Ray ray{state_.position, state_.direction};
+    const Ray ray{travel_.state.position, travel_.state.direction};
     for (const Mass& mass : field_.masses()) {
       if (std::isinf(mass.influence)) continue;
       double at = Field<C>::entry(mass.center, mass.influence, ray);
@@ -184,16 +218,17 @@ class Tracer {
     const auto acceleration = [this](Vec3d x) {
       return field_.bending(x, surroundings_).acceleration;
     };
-    const StepResult<double> result = I::step(acceleration, state_, bending_.acceleration, h);
+    const StepResult<double> result =
+        I::step(acceleration, travel_.state, bending_.acceleration, h);
     end_ = result.end;
     if constexpr (I::straight_pieces) {
-      const double turned = angle(state_.direction, end_.direction);
+      const double turned = angle(travel_.state.direction, end_.direction);
       extra_turning_ = turned;
-      return Curve(state_.position, end_.direction, h);
+      return Curve(travel_.state.position, end_.direction, h);
     } else {
       end_bending_ = field_.bending(end_.position, surroundings_);
-      return Curve(state_.position, state_.direction,
-                   turning_part(bending_.acceleration, state_.direction), end_.position,
+      return Curve(travel_.state.position, travel_.state.direction,
+                   turning_part(bending_.acceleration, travel_.state.direction), end_.position,
                    end_.direction, turning_part(end_bending_.acceleration, end_.direction),
                    result.middle_bend, h);
     }
@@ -260,72 +295,18 @@ class Tracer {
     return first;
   }
 
-  struct Swallowed {
-    std::uint32_t mass;
-    double distance;
-  };
-
-  [[nodiscard]] std::optional<std::uint32_t> horizon_around(Vec3d x) const {
-    for (std::uint32_t i = 0; i < space_.masses.size(); ++i) {
-      const Mass& mass = space_.masses[i];
-      const Vec3d d = mass.center - x;
-      if (mass.horizon && mass.gm > 0.0 && dot(d, d) <= mass.schwarzschild * mass.schwarzschild)
-        return i;
-    }
-    return std::nullopt;
-  }
-
-  /// The first horizon that the curve meets: found at its end, or at its closest approach.
-  [[nodiscard]] std::optional<Swallowed> horizon_on(const Curve& curve) const {
-    std::optional<Swallowed> first;
-    const double h = curve.length();
-    for (std::uint32_t i = 0; i < space_.masses.size(); ++i) {
-      const Mass& mass = space_.masses[i];
-      if (!mass.horizon || mass.gm == 0.0) continue;
-      const double r2 = mass.schwarzschild * mass.schwarzschild;
-      const auto outside = [&](double s) {
-        const Vec3d d = curve.position(s) - mass.center;
-        return dot(d, d) - r2;
-      };
-      const auto approach = [&](double s) {
-        return dot(curve.position(s) - mass.center, curve.direction(s));
-      };
-      double closest = h;
-      if (approach(0.0) >= 0.0) continue;
-      if (outside(h) > 0.0) {
-        if (approach(h) <= 0.0) continue;
-        closest = bisect(0.0, h, [&](double s) { return approach(s) < 0.0; });
-        if (outside(closest) > 0.0) continue;
-      }
-      const double at = bisect(0.0, closest, [&](double s) { return outside(s) > 0.0; });
-      if (!first || at < first->distance) first = Swallowed{i, at};
-    }
-    return first;
-  }
-
-  /// The end of the stretch from `low` on which `holds`, to the last digits.
-  template <class Predicate>
-  [[nodiscard]] static double bisect(double low, double high, Predicate holds) {
-    for (int i = 0; i < 60; ++i) {
-      const double middle = 0.5 * (low + high);
-      if (middle <= low || middle >= high) break;
-      (holds(middle) ? low : high) = middle;
-    }
-    return high;
-  }
-
   [[nodiscard]] std::optional<Encounter> obstacle_on(const Curve& curve) {
     const double h = curve.length();
     if (free_length_ < h) {
-      free_length_ = obstacles_.clearance(state_.position, 8.0 * h);
+      free_length_ = obstacles_.clearance(travel_.state.position, 8.0 * h);
     }
     if (free_length_ >= h) {
       free_length_ -= h;
       return std::nullopt;
     }
-    const double flatness = 0.1 * space_.physics.tolerance * (arrival_.length + h);
+    const double flatness = 0.1 * space_.physics.tolerance * (travel_.arrival.length + h);
     free_length_ = 0.0;
-    return obstacles_.first(curve, flatness, start_);
+    return obstacles_.first(curve, flatness, travel_.start);
   }
 
   /// Outside everything but infinite influences, on a straight way that meets nothing, with less
@@ -338,11 +319,11 @@ class Tracer {
     for (std::uint32_t i : surroundings_.inside) {
       const Mass& mass = space_.masses[i];
       if (!std::isinf(mass.influence)) return false;
-      const Vec3d to_mass = mass.center - state_.position;
+      const Vec3d to_mass = mass.center - travel_.state.position;
       const double d = length(to_mass);
-      const double outward = -dot(to_mass, state_.direction) / d;
+      const double outward = -dot(to_mass, travel_.state.direction) / d;
       if (outward < 0.9) return false;
-      const Vec3d across = turning_part(to_mass, state_.direction);
+      const Vec3d across = turning_part(to_mass, travel_.state.direction);
       const double b = length(across);
       if (b == 0.0) continue;
       // ∫ m b / (b² + s²)^(3/2) ds from here to infinity on the straight way = (m/b) (1 - outward).
@@ -354,24 +335,24 @@ class Tracer {
     }
     if (turning > space_.physics.tolerance || turning * closeness > 0.02 * space_.physics.tolerance)
       return false;
-    const Ray ray{state_.position, state_.direction};
+    const Ray ray{travel_.state.position, travel_.state.direction};
     const double reach = field_.free_flight(ray, 1e-7 * space_.extent, 1e3 * space_.extent);
     if (reach > 0.0 && std::isfinite(reach)) return false;
-    if (obstacles_.first(ray, std::numeric_limits<double>::infinity(), start_)) return false;
-    state_.direction = normalize(state_.direction + kick);
-    arrival_.turning += turning;
+    if (obstacles_.first(ray, std::numeric_limits<double>::infinity(), travel_.start)) return false;
+    travel_.state.direction = normalize(travel_.state.direction + kick);
+    travel_.arrival.turning += turning;
     return end(Fate::escaped);
   }
 
   /// Goes on to the end of a step.
   void move_on(State to, double distance, double turned) {
-    state_ = to;
-    arrival_.length += distance;
-    arrival_.turning += turned + extra_turning_;
+    travel_.state = to;
+    travel_.arrival.length += distance;
+    travel_.arrival.turning += turned + extra_turning_;
     extra_turning_ = 0.0;
-    start_ = start_.after(distance);
+    travel_.start = travel_.start.after(distance);
     restless_ = true;
-    if (journey_) journey_->stretches.back().push_back(state_.position);
+    if (journey_) journey_->stretches.back().push_back(travel_.state.position);
   }
 
   void arrive_at(const Curve& curve, double s) {
@@ -379,44 +360,8 @@ class Tracer {
   }
 
   bool end(Fate fate) {
-    arrival_.fate = fate;
+    travel_.arrival.fate = fate;
     return true;
-  }
-
-  bool absorb(std::uint32_t mass) {
-    arrival_.met = Met::mass;
-    arrival_.object = mass;
-    return end(Fate::absorbed);
-  }
-
-  bool encounter(const Encounter& met) {
-    arrival_.object = met.object;
-    arrival_.face = met.face;
-    switch (met.kind) {
-      case Encounter::Kind::surface:
-        arrival_.met = Met::surface;
-        return end(Fate::hit);
-      case Encounter::Kind::portal_back:
-        arrival_.met = Met::portal_back;
-        return end(Fate::hit);
-      case Encounter::Kind::portal_front:
-        break;
-    }
-    if (crossings_ >= space_.max_crossings) return end(Fate::lost);
-    ++crossings_;
-    const Portal& portal = space_.portals.portals()[met.object];
-    arrival_.tint = arrival_.tint * portal.tint;
-    state_ = {portal.through.move(state_.position), portal.through.rotate(state_.direction)};
-    const Portal& other = space_.portals.portals()[portal.pair];
-    start_ = {Departure{}, other.height_tolerance(), met.object, 1e-6 * other.longest_edge};
-    free_length_ = 0.0;
-    restless_ = true;
-    arrival_.object = no_object;
-    if (journey_) {
-      journey_->crossings.push_back(met.object);
-      journey_->stretches.push_back({state_.position});
-    }
-    return false;
   }
 
   const Space& space_;
@@ -424,12 +369,10 @@ class Tracer {
   Field<C> field_;
   Obstacles obstacles_;
 
-  State state_, end_;
-  PathStart start_;
-  Arrival arrival_;
+  Travel travel_;
+  State end_;
   Surroundings surroundings_;
   Bending bending_, end_bending_;
-  std::uint32_t crossings_ = 0;
   double free_length_ = 0.0;    ///< nothing lies within this much path from here
   double extra_turning_ = 0.0;  ///< of a step with straight pieces: it turns at its start
   bool restless_ = true;        ///< the surroundings have to be looked at again

@@ -3,7 +3,9 @@
 #include <cassert>
 
 #include "photon/advance.h"
+#include "photon/engine_lanes.h"
 #include "photon/integrator.h"
+#include "photon/lane_engines.h"
 
 namespace portalens {
 namespace {
@@ -16,8 +18,15 @@ Integrator integrator_of(const Physics& physics) {
 
 }  // namespace
 
-void advance(const Space& space, std::span<const Photon> photons, std::span<Arrival> arrivals) {
+void advance(const Space& space, std::span<const Photon> photons, std::span<Arrival> arrivals,
+             Engine engine) {
   assert(photons.size() == arrivals.size());
+  if (engine == Engine::automatic && space.lanes) {
+    if (const LaneStep step = lane_engine().step) {
+      advance_in_lanes(space, *space.lanes, step, photons, arrivals);
+      return;
+    }
+  }
   std::visit(
       [&](const auto& integrator, const auto& coupling) {
         Tracer tracer(space, integrator, coupling);

@@ -11,6 +11,10 @@
 
 namespace portalens {
 
+/// Which engine advances. `automatic` takes the lanes where the space and the processor allow it
+/// (lane_plan.h) and the scalar engine elsewhere.
+enum class Engine : std::uint8_t { automatic, scalar };
+
 /// What a curious caller can be told of one photon's way (`trace --path`).
 struct Journey {
   std::vector<std::vector<Vec3d>> stretches{{}};  ///< one polyline between portal crossings
@@ -20,7 +24,8 @@ struct Journey {
 /// Advances photons to their first surface. `arrivals[i]` answers `photons[i]`, whatever the order
 /// of work inside; no photon's answer depends on another's.
 /// @pre photons.size() == arrivals.size(), directions are unit vectors
-void advance(const Space& space, std::span<const Photon> photons, std::span<Arrival> arrivals);
+void advance(const Space& space, std::span<const Photon> photons, std::span<Arrival> arrivals,
+             Engine engine = Engine::automatic);
 
 /// The same for one photon, with its way written down.
 [[nodiscard]] Arrival advance_recorded(const Space& space, const Photon& photon, Journey& journey);

@@ -27,6 +27,7 @@ Space::Space(Physics the_physics, std::uint32_t crossings, std::vector<Shape> sh
     box.add(mass.center + Vec3d{reach, reach, reach});
   }
   if (box.diagonal() > 0.0) extent = box.diagonal();
+  lanes = plan_lanes(*this);
 }
 
 }  // namespace portalens

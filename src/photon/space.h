@@ -3,11 +3,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "geometry/accelerator.h"
 #include "gravity/coupling.h"
 #include "gravity/mass.h"
+#include "photon/lane_plan.h"
 #include "photon/physics.h"
 #include "portal/portal_set.h"
 
@@ -26,6 +28,7 @@ struct Space {
   Coupling coupling;
   double extent = 1.0;     ///< a length of the scene's size: surfaces, portals, finite influences
   bool unbounded = false;  ///< some influence is infinite
+  std::unique_ptr<const LanePlan> lanes;  ///< null where lanes can't do it
 };
 
 }  // namespace portalens

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -22,9 +21,6 @@ constexpr std::int64_t most_crossings = 10'000;
 constexpr std::int64_t most_pixels_along = 65'536;
 constexpr std::int64_t most_pixels = std::int64_t{1} << 28;
 constexpr std::int64_t most_samples = 1'000'000;
-
-/// Shadow queries that one lit point may lead to: so many are held in memory at once.
-constexpr std::size_t most_queries = 1'000'000;
 
 Film film_from(Parameters& parameters) {
   Film film;
@@ -71,7 +67,6 @@ void check_portal_gravity(const Scene& scene, const Physics& physics, const Obje
                                  "'{}' never lets a photon go",
                                  coupling),
                      "give a min_force above 0, or another portal_gravity");
-  if (!faults.empty()) return;  // only sound portals have a cost
   const CouplingCost cost =
       estimated_cost(coupling, {objects.portals, objects.masses, physics.min_force,
                                 static_cast<int>(physics.portal_gravity_depth),
@@ -86,17 +81,6 @@ void check_portal_gravity(const Scene& scene, const Physics& physics, const Obje
         "graviton_resolution",
         "the graviton maps would cost " + in_pulls(cost.preparation, coupling_budget.preparation),
         "give a smaller graviton_resolution or portal_gravity_depth");
-}
-
-void check_light_count(const Scene& scene, const Appearance& look, std::size_t portals,
-                       Faults& faults) {
-  std::size_t samples = 0;
-  for (const Light& light : look.lights) samples += sample_count(light, look.limits.shadow_samples);
-  if (samples * (1 + portals) <= most_queries) return;
-  Parameters(scene.shading, faults)
-      .fault("shadow_samples",
-             "the lights, seen through every portal, take more than a million samples a point",
-             "give a smaller shadow_samples, or fewer things that emit");
 }
 
 /// What a camera without a place of its own has to see.
@@ -149,8 +133,6 @@ World compile(const Scene& scene, const CompileOptions& options) {
 
   look.materials = std::move(materials).take();
   for (Light& light : emitters(objects, look.materials)) look.lights.push_back(std::move(light));
-  check_light_count(scene, look, objects.portals.size(), faults);
-  faults.raise();
   look.bodies = std::move(objects.bodies);
   Space space(physics, max_crossings, std::move(objects.shapes), std::move(objects.portals),
               std::move(objects.masses));

@@ -14,8 +14,9 @@ MaterialList::MaterialList(const std::vector<Table>& tables, Names& names, const
     Material material = Material::from(parameters, load);
     material.name = name;
     parameters.finish();
-    named_.add(name, add(std::move(material)));
+    materials_.push_back(std::move(material));
   }
+  named_ = materials_.size();
 }
 
 std::uint32_t MaterialList::named_by(Parameters& parameters, std::string_view key) {
@@ -23,10 +24,14 @@ std::uint32_t MaterialList::named_by(Parameters& parameters, std::string_view ke
   const std::size_t before = parameters.faults().size();
   const std::string name = parameters.text(key);
   if (parameters.faults().size() > before) return plain();
-  if (const auto found = named_.find(name)) return *found;
-  parameters.fault(
-      key, "unknown material " + portalens::quoted(name),
-      named_.empty() ? "define it in a [[material]] table of its own" : named_.guess(name));
+  std::vector<std::string> known;
+  for (std::uint32_t i = 0; i < named_; ++i) {
+    if (materials_[i].name == name) return i;
+    known.push_back(materials_[i].name);
+  }
+  parameters.fault(key, "unknown material " + portalens::quoted(name),
+                   known.empty() ? "define it in a [[material]] table of its own"
+                                 : suggestion_or_list(name, known));
   return plain();
 }
 

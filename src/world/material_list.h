@@ -5,11 +5,9 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "shading/material.h"
-#include "world/name_index.h"
 #include "world/names.h"
 
 namespace portalens {
@@ -31,7 +29,7 @@ class MaterialList {
   std::uint32_t plain();
 
   std::vector<Material> materials_;
-  NameIndex named_;
+  std::size_t named_ = 0;  ///< so many of them, the first, can be named
   std::optional<std::uint32_t> plain_;
 };
 

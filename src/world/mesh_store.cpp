@@ -16,15 +16,14 @@ std::optional<LoadedMesh> MeshStore::load(const Mesh& mesh, const Location& aske
   if (mesh.file().empty()) return std::nullopt;  // already told
   const auto path = resolve_file(scene_file_, mesh.file(), containment_, asked_at, *faults_);
   if (!path) return std::nullopt;
-  if (triangles_ <= most_triangles)
-    triangles_ += stored(*path, asked_at).file.triangles.corners.size();
+  const Stored& found = stored(*path, asked_at);
+  if (found.file.triangles.corners.empty()) return std::nullopt;
+  triangles_ += found.file.triangles.corners.size();
   if (triangles_ > most_triangles) {
     faults_->add(asked_at, "the scene has more than 10 million triangles",
                  "use fewer or coarser meshes");
     return std::nullopt;
   }
-  const Stored& found = stored(*path, asked_at);
-  if (found.file.triangles.corners.empty()) return std::nullopt;
   LoadedMesh loaded{mesh.loaded(found.file.triangles), found.first_material};
   if (loaded.mesh.triangle_count() == 0) {
     faults_->add(asked_at,

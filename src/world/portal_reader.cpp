@@ -74,30 +74,36 @@ void PortalReader::read(Parameters& parameters, const std::string& name, Materia
     }
   }
   (void)read_mass(parameters, name, MassKey::optional, mean(portal.vertices), physics, masses);
-  names_.add(name, static_cast<std::uint32_t>(portals_.size()));
   portals_.push_back(std::move(read));
 }
 
-std::optional<std::uint32_t> PortalReader::partner(std::uint32_t index) {
+std::optional<std::uint32_t> PortalReader::partner(std::uint32_t index) const {
   const Read& read = portals_[index];
   const auto refuse = [&](std::string problem, std::string remedy) {
     faults_->add(read.pair_where, std::move(problem), std::move(remedy));
     return std::nullopt;
   };
   if (read.pair.empty()) return std::nullopt;  // already told
-  const std::string name = portalens::quoted(read.portal.name), pair = portalens::quoted(read.pair);
-  const auto found = names_.find(read.pair);
-  if (!found)
-    return refuse("no portal has the name " + pair, portals_.size() < 2
-                                                        ? "add the second portal of the pair"
-                                                        : names_.guess(read.pair));
-  if (*found == index) return refuse("portal " + pair + " is its own pair", "name another portal");
-  const Read& other = portals_[*found];
-  if (other.pair != read.portal.name)
-    return refuse("portal " + name + " names " + pair + " as its pair, but " + pair + " names " +
-                      portalens::quoted(other.pair),
-                  "let the two portals of a pair name each other");
-  return found;
+  std::vector<std::string> known;
+  for (std::uint32_t i = 0; i < portals_.size(); ++i) {
+    const Read& other = portals_[i];
+    if (other.portal.name != read.pair) {
+      if (i != index) known.push_back(other.portal.name);
+      continue;
+    }
+    if (i == index)
+      return refuse("portal " + portalens::quoted(read.pair) + " is its own pair",
+                    "name another portal");
+    if (other.pair != read.portal.name)
+      return refuse("portal " + portalens::quoted(read.portal.name) + " names " +
+                        portalens::quoted(read.pair) + " as its pair, but " +
+                        portalens::quoted(read.pair) + " names " + portalens::quoted(other.pair),
+                    "let the two portals of a pair name each other");
+    return i;
+  }
+  return refuse(
+      "no portal has the name " + portalens::quoted(read.pair),
+      known.empty() ? "add the second portal of the pair" : suggestion_or_list(read.pair, known));
 }
 
 void PortalReader::check_congruent(const Read& a, const Read& b) const {

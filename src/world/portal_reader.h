@@ -9,7 +9,6 @@
 #include "portal/portal.h"
 #include "world/mass_reader.h"
 #include "world/material_list.h"
-#include "world/name_index.h"
 
 namespace portalens {
 
@@ -33,12 +32,11 @@ class PortalReader {
     bool sound = false;  ///< its polygon is fit to be one
   };
 
-  [[nodiscard]] std::optional<std::uint32_t> partner(std::uint32_t index);
+  [[nodiscard]] std::optional<std::uint32_t> partner(std::uint32_t index) const;
   void check_congruent(const Read& a, const Read& b) const;
 
   Faults* faults_;
   std::vector<Read> portals_;
-  NameIndex names_;
 };
 
 }  // namespace portalens

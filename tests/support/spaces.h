@@ -46,7 +46,7 @@ inline Photon photon_at(Vec3d position, Vec3d direction) {
 
 inline Arrival advance_one(const Space& space, const Photon& photon) {
   Arrival arrival;
-  advance(space, {&photon, 1}, {&arrival, 1});
+  advance(space, {&photon, 1}, {&arrival, 1}, Engine::scalar);
   return arrival;
 }
 

@@ -163,13 +163,6 @@ TEST(Faults, OfMeshes) {
   EXPECT_FALSE(faults_of(folder, "[[mesh]]\nfile = \"flat.obj\"\n").empty());
 }
 
-TEST(Faults, OfLightsBeyondNumber) {
-  std::string toml =
-      "[shading]\nshadow_samples = 1024\n[[material]]\nname = \"lamp\"\nemitted = [1,1,1]\n";
-  for (int i = 0; i < 1000; ++i) toml += sphere + "material = \"lamp\"\n";
-  expect_each({{toml, 2, "more than a million", "smaller shadow_samples"}});
-}
-
 TEST(Faults, AreAllToldByLine) {
   const auto faults = faults_of(R"([camera]
 position = [0, 0, 0]

@@ -1,0 +1,66 @@
+/// \file
+/// Lanes of floats that behave like one `Real`.
+///
+/// The instruction set is part of every type's name, so that templates of two sets never share a
+/// symbol. Only operations that IEEE 754 rounds exactly are used (+ - × ÷ √ and comparisons), so
+/// all sets give the same bits.
+#pragma once
+
+#include <xsimd/xsimd.hpp>
+
+namespace portalens {
+
+template <class Isa>
+using Pack = xsimd::batch<float, Isa>;
+
+/// Two packs side by side: while one waits for its result, the other works.
+template <class P>
+struct Pair {
+  P a, b;
+
+  struct Mask {
+    typename P::batch_bool_type a, b;
+
+    friend Mask operator&(Mask x, Mask y) { return {x.a & y.a, x.b & y.b}; }
+    friend Mask operator|(Mask x, Mask y) { return {x.a | y.a, x.b | y.b}; }
+    friend Mask operator!(Mask x) { return {!x.a, !x.b}; }
+    friend bool any(Mask x) { return xsimd::any(x.a | x.b); }
+  };
+
+  static constexpr int lanes = 2 * static_cast<int>(P::size);
+
+  Pair() : a(0.0f), b(0.0f) {}
+  Pair(P low, P high) : a(low), b(high) {}
+  Pair(double x) : a(static_cast<float>(x)), b(static_cast<float>(x)) {}
+  Pair(float x) : a(x), b(x) {}
+  Pair(int x) : a(static_cast<float>(x)), b(static_cast<float>(x)) {}
+
+  static Pair load(const float* p) {
+    return {P::load_unaligned(p), P::load_unaligned(p + P::size)};
+  }
+  void store(float* p) const {
+    a.store_unaligned(p);
+    b.store_unaligned(p + P::size);
+  }
+
+  friend Pair operator+(Pair x, Pair y) { return {x.a + y.a, x.b + y.b}; }
+  friend Pair operator-(Pair x, Pair y) { return {x.a - y.a, x.b - y.b}; }
+  friend Pair operator-(Pair x) { return {-x.a, -x.b}; }
+  friend Pair operator*(Pair x, Pair y) { return {x.a * y.a, x.b * y.b}; }
+  friend Pair operator/(Pair x, Pair y) { return {x.a / y.a, x.b / y.b}; }
+  friend Mask operator<(Pair x, Pair y) { return {x.a < y.a, x.b < y.b}; }
+  friend Mask operator<=(Pair x, Pair y) { return {x.a <= y.a, x.b <= y.b}; }
+  friend Mask operator>(Pair x, Pair y) { return {x.a > y.a, x.b > y.b}; }
+  friend Mask operator>=(Pair x, Pair y) { return {x.a >= y.a, x.b >= y.b}; }
+  friend Mask operator==(Pair x, Pair y) { return {x.a == y.a, x.b == y.b}; }
+  friend Pair select(Mask m, Pair x, Pair y) {
+    return {xsimd::select(m.a, x.a, y.a), xsimd::select(m.b, x.b, y.b)};
+  }
+  friend Pair sqrt(Pair x) { return {xsimd::sqrt(x.a), xsimd::sqrt(x.b)}; }
+  friend Pair abs(Pair x) { return {xsimd::abs(x.a), xsimd::abs(x.b)}; }
+  // min and max by comparison: the instructions differ between sets in how they treat NaN.
+  friend Pair min(Pair x, Pair y) { return select(x < y, x, y); }
+  friend Pair max(Pair x, Pair y) { return select(x > y, x, y); }
+};
+
+}  // namespace portalens

@@ -1,0 +1,68 @@
+#include "photon/horizons.h"
+
+namespace portalens {
+namespace {
+
+/// The end of the stretch from `low` on which `holds`, to the last digits.
+template <class Predicate>
+double bisect(double low, double high, Predicate holds) {
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    if (middle <= low || middle >= high) break;
+    (holds(middle) ? low : high) = middle;
+  }
+  return high;
+}
+
+bool has_horizon(const Mass& mass) { return mass.horizon && mass.gm > 0.0; }
+
+/// Where the curve meets this horizon, or nothing.
+std::optional<double> contact(const Mass& mass, const Curve& curve) {
+  const double h = curve.length();
+  const double r2 = mass.schwarzschild * mass.schwarzschild;
+  const auto outside = [&](double s) {
+    const Vec3d d = curve.position(s) - mass.center;
+    return dot(d, d) - r2;
+  };
+  const auto approaches = [&](double s) {
+    return dot(curve.position(s) - mass.center, curve.direction(s)) < 0.0;
+  };
+  if (!approaches(0.0)) return std::nullopt;
+  double closest = h;
+  if (outside(h) > 0.0) {
+    if (approaches(h)) return std::nullopt;
+    closest = bisect(0.0, h, approaches);
+    if (outside(closest) > 0.0) return std::nullopt;
+  }
+  return bisect(0.0, closest, [&](double s) { return outside(s) > 0.0; });
+}
+
+/// Whether the curve stays farther from the mass than its horizon, by a bound.
+bool surely_misses(const Mass& mass, const Curve& curve) {
+  const Vec3d d = curve.position(0.0) - mass.center;
+  const double least = mass.schwarzschild + curve.length();
+  return dot(d, d) > least * least;
+}
+
+}  // namespace
+
+std::optional<std::uint32_t> horizon_around(std::span<const Mass> masses, Vec3d x) {
+  for (std::uint32_t i = 0; i < masses.size(); ++i) {
+    const Vec3d d = masses[i].center - x;
+    if (has_horizon(masses[i]) && dot(d, d) <= masses[i].schwarzschild * masses[i].schwarzschild)
+      return i;
+  }
+  return std::nullopt;
+}
+
+std::optional<HorizonContact> first_horizon(std::span<const Mass> masses, const Curve& curve) {
+  std::optional<HorizonContact> first;
+  for (std::uint32_t i = 0; i < masses.size(); ++i) {
+    if (!has_horizon(masses[i]) || surely_misses(masses[i], curve)) continue;
+    const auto at = contact(masses[i], curve);
+    if (at && (!first || *at < first->distance)) first = HorizonContact{i, *at};
+  }
+  return first;
+}
+
+}  // namespace portalens

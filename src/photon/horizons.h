@@ -1,0 +1,26 @@
+/// \file
+/// The horizons of masses, met at rest and on a curve.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "gravity/mass.h"
+#include "photon/curve.h"
+
+namespace portalens {
+
+struct HorizonContact {
+  std::uint32_t mass;
+  double distance;  ///< arc length on the curve
+};
+
+/// The first mass within whose horizon `x` lies.
+[[nodiscard]] std::optional<std::uint32_t> horizon_around(std::span<const Mass> masses, Vec3d x);
+
+/// The first horizon that the curve meets: sought at its end and at its closest approach.
+[[nodiscard]] std::optional<HorizonContact> first_horizon(std::span<const Mass> masses,
+                                                          const Curve& curve);
+
+}  // namespace portalens

@@ -1,0 +1,25 @@
+/// \file
+/// Laying out a space for the lanes.
+#pragma once
+
+#include <memory>
+
+#include "math/vec3.h"
+#include "photon/lane_scene.h"
+
+namespace portalens {
+
+struct Space;
+
+/// The scene in floats about `center`.
+struct LanePlan {
+  LaneScene scene;
+  Vec3d center;
+};
+
+/// Null where lanes can't do it: a fixed-step integrator, infinite influences, a coupling other
+/// than `none` and `closest-point`, portals that are no rectangles, or more masses, portals or
+/// chains than the lanes have room for. The scalar engine does all of that.
+[[nodiscard]] std::unique_ptr<const LanePlan> plan_lanes(const Space& space);
+
+}  // namespace portalens

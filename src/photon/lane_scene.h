@@ -1,0 +1,121 @@
+/// \file
+/// A scene as the lanes see it: plain floats about the scene's centre, nothing that allocates.
+///
+/// Engine files of several instruction sets share these types, so they have no functions that a
+/// compiler could emit in more than one of them.
+#pragma once
+
+#include <cstdint>
+
+namespace portalens {
+
+struct LaneVec {
+  float x, y, z;
+};
+
+struct LaneMass {
+  LaneVec center;
+  float gm;  ///< G M / c², length
+  float core2;
+  float influence;
+  float influence2;
+  float horizon2;  ///< r_s², or -1 without a horizon
+};
+
+inline constexpr int most_lane_masses = 8;
+inline constexpr int most_lane_gates = 20;
+inline constexpr int most_lane_portals = 8;
+inline constexpr int most_lane_polygons = 48;
+inline constexpr int most_lane_spheres = 24;
+inline constexpr int most_lane_boxes = 24;
+
+/// One way through a portal in the recursion of `closest-point`: a rectangle in its own plane, and
+/// the masses as they are seen through it. Local coordinates are (right, up, normal) of the
+/// rectangle, from its middle.
+struct LaneGate {
+  int parent;                         ///< -1: entered from the photon's own place
+  LaneVec origin, right, up, normal;  ///< only of a gate without a parent
+  // With a parent: local = offset + (q of the parent).x by_x + (q of the parent).y by_y.
+  LaneVec offset, by_x, by_y;
+  // With a parent: rotates an acceleration from this gate's local axes to its parent's (columns).
+  LaneVec to_parent_x, to_parent_y, to_parent_z;
+  float half_width, half_height;
+  float tolerance;  ///< heights down to minus this count as in front
+  float reach, reach2;
+  LaneVec images[most_lane_masses];  ///< of the masses, in local coordinates
+};
+
+/// A portal's front, for crossing it.
+struct LanePortal {
+  LaneVec origin, right, up, normal;
+  float half_width, half_height;
+  float tolerance;
+  float back;  ///< 1 if its back is a surface, else 0
+};
+
+/// A convex polygon of 3 or 4 edges: a point of its plane lies inside where all edges say so.
+struct LanePolygon {
+  LaneVec normal;
+  float distance;          ///< normal · x on the plane
+  LaneVec edge_normal[4];  ///< in the plane, inwards; a triangle repeats one
+  float edge_distance[4];
+  int shape;
+};
+
+struct LaneSphere {
+  LaneVec center;
+  float radius;
+  int shape;
+};
+
+/// What is inside is left to the scalar engine.
+struct LaneBox {
+  LaneVec low, high;
+};
+
+struct LaneScene {
+  int mass_count, gate_count, portal_count, polygon_count, sphere_count, box_count;
+  float stiffness_weight, nearness_weight;  ///< of the step, see Nystrom
+  float ahead;      ///< the place that decides what acts lies this far ahead
+  float overshoot;  ///< a step ends this far past a boundary
+  float farthest;   ///< no step is longer
+  float max_length, max_turning, max_steps;
+  LaneMass masses[most_lane_masses];
+  LaneGate gates[most_lane_gates];
+  LanePortal portals[most_lane_portals];
+  LanePolygon polygons[most_lane_polygons];
+  LaneSphere spheres[most_lane_spheres];
+  LaneBox boxes[most_lane_boxes];
+};
+
+inline constexpr int lane_count = 32;
+
+/// What a lane's step ended in.
+enum class LaneEvent : std::int32_t {
+  none,     ///< goes on
+  fly,      ///< nothing acts here: a straight flight begins (the step was not taken)
+  hit,      ///< a surface: `object` is the polygon's or sphere's shape
+  portal,   ///< a portal's front or back: `object` is the portal
+  horizon,  ///< `object` is the mass
+  consult,  ///< something may be near that lanes can't judge (the step was not taken)
+  limit,    ///< too many steps, too long, turned too far, or no number any more
+};
+
+/// The state of all lanes, array by array. A lane that is not `live` holds something harmless.
+struct alignas(64) Lanes {
+  float x[lane_count], y[lane_count], z[lane_count];
+  float tx[lane_count], ty[lane_count], tz[lane_count];
+  float length[lane_count], turning[lane_count], steps[lane_count];
+  float live[lane_count];           ///< 1 or 0
+  float departed[lane_count];       ///< shape that the photon leaves, or -1
+  float departed_side[lane_count];  ///< on which side it leaves it: 1 or -1
+  float clear[lane_count];          ///< no box comes nearer than this within that much path
+  float event[lane_count];          ///< a LaneEvent
+  float object[lane_count];
+};
+
+/// Takes one step of every live lane, or finds that it ends in an event. Where the event says that
+/// the step was not taken, the lane stays where it was.
+using LaneStep = void (*)(const LaneScene& scene, Lanes& lanes);
+
+}  // namespace portalens

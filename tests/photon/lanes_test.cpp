@@ -1,0 +1,130 @@
+// Photons in lanes against the scalar engine, and instruction sets against each other.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "photon/engine_lanes.h"
+#include "photon/lane_engines.h"
+#include "support/random.h"
+#include "support/scale.h"
+#include "support/spaces.h"
+
+namespace portalens::test {
+namespace {
+
+/// A ground, spheres, triangles, a mass and a pair of portals, like the paper's figure 7.
+Space busy_space(const char* coupling, int depth) {
+  Physics physics = physics_with(1e-4, 1.0);
+  physics.portal_gravity = coupling;
+  physics.portal_gravity_depth = depth;
+  physics.max_steps = 20000;
+  std::vector<Shape> shapes;
+  const std::array<Vec3d, 4> ground = {{{-30, 0, 30}, {30, 0, 30}, {30, 0, -30}, {-30, 0, -30}}};
+  shapes.emplace_back(Quad(ground));
+  Random random(11);
+  for (int i = 0; i < 8; ++i) {
+    const Vec3d at = {random.uniform(-6, 6), random.uniform(0.5, 4), random.uniform(-8, -3)};
+    const std::array<Vec3d, 3> triangle = {
+        {at, at + random.point(1.0), at + random.point(1.0) + Vec3d{0.3, 0.5, 0}}};
+    shapes.emplace_back(Quad(triangle));
+  }
+  for (int i = 0; i < 3; ++i)
+    shapes.emplace_back(Sphere({random.uniform(-5, 5), 1.0, random.uniform(-6, 0)}, 0.7));
+  shapes.emplace_back(Cube({4, 0.5, -1}, {1, 1, 1}, {0, 30, 0}));
+  auto pair = portal_pair({{-4, 0.5, -2}, {-2, 0.5, -2}, {-2, 2.5, -2}, {-4, 2.5, -2}},
+                          {{5, 0.5, -3}, {3, 0.5, -3.5}, {3, 2.5, -3.5}, {5, 2.5, -3}});
+  const double wide = length(pair[1].vertices[1] - pair[1].vertices[0]);
+  pair = portal_pair({{-4, 0.5, -2}, {-4 + wide, 0.5, -2}, {-4 + wide, 2.5, -2}, {-4, 2.5, -2}},
+                     {{3, 0.5, -3.5}, {5, 0.5, -3}, {5, 2.5, -3}, {3, 2.5, -3.5}});
+  return space_with(physics, {mass_at({-3, 1.5, 0.5}, 400, physics)}, std::move(shapes), pair);
+}
+
+std::vector<Photon> camera_photons(int count) {
+  Random random(12);
+  std::vector<Photon> photons;
+  for (int i = 0; i < count; ++i)
+    photons.push_back(
+        photon_at({0, 2, 12}, {random.uniform(-0.5, 0.5), random.uniform(-0.3, 0.25), -1.0}));
+  return photons;
+}
+
+std::vector<Arrival> in_lanes(const Space& space, const std::vector<Photon>& photons,
+                              std::string_view isa) {
+  std::vector<Arrival> arrivals(photons.size());
+  advance_in_lanes(space, *space.lanes, lane_engine(isa).step, photons, arrivals);
+  return arrivals;
+}
+
+class LanesAgainstScalar : public testing::TestWithParam<std::pair<const char*, int>> {};
+
+TEST_P(LanesAgainstScalar, AgreeWithinFloatButForFewPhotons) {
+  const Space space = busy_space(GetParam().first, GetParam().second);
+  ASSERT_TRUE(space.lanes);
+  const auto photons = camera_photons(scaled(10000));
+  std::vector<Arrival> lanes(photons.size()), scalar(photons.size());
+  ASSERT_NE(lane_engine().step, nullptr);
+  advance(space, photons, lanes);
+  advance(space, photons, scalar, Engine::scalar);
+  std::vector<double> apart;
+  std::size_t unlike = 0;
+  for (std::size_t i = 0; i < photons.size(); ++i) {
+    const Arrival &a = lanes[i], &b = scalar[i];
+    if (a.fate != b.fate || a.object != b.object || a.crossings != b.crossings) {
+      ++unlike;
+    } else if (a.fate == Fate::escaped) {
+      apart.push_back(length(a.direction - b.direction));
+    } else {
+      apart.push_back(length(a.position - b.position) / (1.0 + b.length));
+    }
+  }
+  std::sort(apart.begin(), apart.end());
+  EXPECT_LT(static_cast<double>(unlike), 0.003 * static_cast<double>(photons.size()) + 2);
+  EXPECT_LT(apart[apart.size() / 2], 3e-5);
+  EXPECT_LT(apart[apart.size() * 98 / 100], 6e-4);
+}
+
+INSTANTIATE_TEST_SUITE_P(Couplings, LanesAgainstScalar,
+                         testing::Values(std::pair("none", 0), std::pair("closest-point", 1),
+                                         std::pair("closest-point", 2)));
+
+TEST(Lanes, GiveTheSameBitsWithEveryInstructionSet) {
+  const Space space = busy_space("closest-point", 2);
+  const auto photons = camera_photons(scaled(20000));
+  const auto expected = in_lanes(space, photons, "sse4");
+  for (const char* isa : {"avx2", "avx512"}) {
+    if (!lane_engine(isa).step) continue;
+    const auto arrivals = in_lanes(space, photons, isa);
+    for (std::size_t i = 0; i < photons.size(); ++i) {
+      ASSERT_EQ(arrivals[i].position, expected[i].position) << isa << " photon " << i;
+      ASSERT_EQ(arrivals[i].direction, expected[i].direction);
+      ASSERT_EQ(arrivals[i].turning, expected[i].turning);
+      ASSERT_EQ(arrivals[i].steps, expected[i].steps);
+      ASSERT_EQ(arrivals[i].object, expected[i].object);
+    }
+  }
+}
+
+TEST(Lanes, APhotonsAnswerDoesNotDependOnItsNeighbours) {
+  const Space space = busy_space("closest-point", 1);
+  const auto photons = camera_photons(500);
+  const auto together = in_lanes(space, photons, "sse4");
+  for (std::size_t i = 0; i < photons.size(); i += 7) {
+    const auto alone = in_lanes(space, {photons[i]}, "sse4");
+    ASSERT_EQ(alone[0].position, together[i].position);
+    ASSERT_EQ(alone[0].turning, together[i].turning);
+  }
+}
+
+TEST(Lanes, LeaveWhatTheyCanNotDoToTheScalarEngine) {
+  Physics physics = physics_with(1e-7);
+  EXPECT_FALSE(space_with(physics, {}).lanes);
+  physics = physics_with(1e-4, 0.0);
+  EXPECT_FALSE(space_with(physics, {mass_at({0, 0, 0}, 2000, physics)}).lanes);
+  physics = physics_with(1e-4);
+  physics.integrator = "euler";
+  EXPECT_FALSE(space_with(physics, {}).lanes);
+}
+
+}  // namespace
+}  // namespace portalens::test
