@@ -9,6 +9,7 @@ namespace portalens {
 namespace {
 
 constexpr std::size_t longest_quote = 60;
+constexpr std::size_t longest_list = 60;
 constexpr std::size_t longest_guess = 40;  // a longer word is no slip of ours
 
 using Alias = std::pair<std::string_view, std::string_view>;
@@ -185,11 +186,11 @@ std::string in_quotes(std::string_view word) {
 
 std::string listed(const std::vector<std::string>& words) {
   std::string result;
-  for (const std::string& word : words) {
-    if (!result.empty()) result += ", ";
-    result += word;
+  for (std::size_t i = 0; i < words.size() && i < longest_list; ++i) {
+    if (i > 0) result += ", ";
+    result += words[i];
   }
-  return result;
+  return words.size() > longest_list ? result + ", ..." : result;
 }
 
 std::string suggestion(std::string_view word, const std::vector<std::string>& known) {

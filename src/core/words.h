@@ -11,9 +11,7 @@ namespace portalens {
 /// `'word'`, safe to print: control characters become `?`, a long word is cut short.
 [[nodiscard]] std::string in_quotes(std::string_view word);
 
-[[nodiscard]] inline std::string quoted(std::string_view word) { return in_quotes(word); }
-
-/// `a, b, c`
+/// `a, b, c`; a long list is cut short.
 [[nodiscard]] std::string listed(const std::vector<std::string>& words);
 
 /// The member of `known` that `word` was probably meant to be, or an empty string: the same word in

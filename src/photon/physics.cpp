@@ -22,8 +22,7 @@ std::string coupling_from(Parameters& parameters, const std::string& fallback) {
   const std::string asked = parameters.choice("portal_gravity", couplings, fallback);
   const std::vector<std::string_view> built = coupling_names();
   if (std::find(built.begin(), built.end(), asked) != built.end()) return asked;
-  parameters.fault("portal_gravity",
-                   "portal gravity " + portalens::quoted(asked) + " is not built yet",
+  parameters.fault("portal_gravity", "portal gravity " + in_quotes(asked) + " is not built yet",
                    "known are " + listed({built.begin(), built.end()}));
   return fallback;
 }

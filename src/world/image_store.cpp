@@ -27,7 +27,7 @@ std::shared_ptr<const Image> ImageStore::load(const std::filesystem::path& file,
   const auto [place, is_new] = images_.emplace(*path, nullptr);
   if (!is_new) return place->second;
   if (bytes_ > budget) {
-    faults_->add(asked_at, "no memory is left for the image " + portalens::quoted(name),
+    faults_->add(asked_at, "no memory is left for the image " + in_quotes(name),
                  "use smaller images: together at most 2 GiB, 12 bytes a pixel");
     return nullptr;
   }

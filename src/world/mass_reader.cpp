@@ -12,7 +12,7 @@ namespace {
 void refuse_without_mass(Parameters& parameters) {
   for (const std::string_view key : {"center_of_mass", "core_radius", "horizon"}) {
     if (parameters.has(key))
-      parameters.fault(key, portalens::quoted(key) + " has no meaning without a mass",
+      parameters.fault(key, in_quotes(key) + " has no meaning without a mass",
                        "give 'mass' too, or remove it");
   }
 }

@@ -5,6 +5,11 @@
 #include "core/words.h"
 
 namespace portalens {
+namespace {
+
+constexpr std::size_t most_compared = 1000;  // names a misspelt one is held against
+
+}  // namespace
 
 MaterialList::MaterialList(const std::vector<Table>& tables, Names& names, const ImageLoader& load,
                            Faults& faults) {
@@ -14,9 +19,8 @@ MaterialList::MaterialList(const std::vector<Table>& tables, Names& names, const
     Material material = Material::from(parameters, load);
     material.name = name;
     parameters.finish();
-    materials_.push_back(std::move(material));
+    by_name_.emplace(name, add(std::move(material)));
   }
-  named_ = materials_.size();
 }
 
 std::uint32_t MaterialList::named_by(Parameters& parameters, std::string_view key) {
@@ -24,12 +28,11 @@ std::uint32_t MaterialList::named_by(Parameters& parameters, std::string_view ke
   const std::size_t before = parameters.faults().size();
   const std::string name = parameters.text(key);
   if (parameters.faults().size() > before) return plain();
+  if (const auto found = by_name_.find(name); found != by_name_.end()) return found->second;
   std::vector<std::string> known;
-  for (std::uint32_t i = 0; i < named_; ++i) {
-    if (materials_[i].name == name) return i;
-    known.push_back(materials_[i].name);
-  }
-  parameters.fault(key, "unknown material " + portalens::quoted(name),
+  for (auto it = by_name_.begin(); it != by_name_.end() && known.size() < most_compared; ++it)
+    known.push_back(it->first);
+  parameters.fault(key, "unknown material " + in_quotes(name),
                    known.empty() ? "define it in a [[material]] table of its own"
                                  : suggestion_or_list(name, known));
   return plain();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,7 +30,7 @@ class MaterialList {
   std::uint32_t plain();
 
   std::vector<Material> materials_;
-  std::size_t named_ = 0;  ///< so many of them, the first, can be named
+  std::map<std::string, std::uint32_t> by_name_;
   std::optional<std::uint32_t> plain_;
 };
 

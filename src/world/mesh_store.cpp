@@ -26,8 +26,7 @@ std::optional<LoadedMesh> MeshStore::load(const Mesh& mesh, const Location& aske
   }
   LoadedMesh loaded{mesh.loaded(found.file.triangles), found.first_material};
   if (loaded.mesh.triangle_count() == 0) {
-    faults_->add(asked_at,
-                 "no triangle of " + portalens::quoted(mesh.file()) + " has an area within 1e12",
+    faults_->add(asked_at, "no triangle of " + in_quotes(mesh.file()) + " has an area within 1e12",
                  "check 'scale' and 'translate'");
     return std::nullopt;
   }

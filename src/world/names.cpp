@@ -16,7 +16,7 @@ std::string Names::claim(Parameters& parameters) {
   const auto [place, is_new] = taken_.emplace(name, parameters.where("name"));
   if (!is_new) {
     const std::string taken =
-        portalens::quoted(name) + " is taken by line " + std::to_string(place->second.line);
+        in_quotes(name) + " is taken by line " + std::to_string(place->second.line);
     parameters.fault("name", (given ? "the name " : "its usual name ") + taken,
                      "give it a name of its own");
   }

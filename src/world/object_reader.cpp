@@ -73,7 +73,7 @@ class ObjectReader {
     const std::vector<std::string_view> shapes = Choice<Shape>::names();
     std::vector<std::string> known(shapes.begin(), shapes.end());
     known.insert(known.end(), {"mass", "portal"});
-    faults_.add(table.where, "unknown object " + portalens::quoted(table.kind),
+    faults_.add(table.where, "unknown object " + in_quotes(table.kind),
                 suggestion_or_list(table.kind, known));
   }
 

@@ -42,7 +42,7 @@ std::string remedy_for(const std::string& name, const std::vector<Vec3d>& a,
                        const std::vector<Vec3d>& b) {
   if (a.size() == b.size()) {
     if (const std::size_t start = better_start(a, b))
-      return fmt::format("begin the list of {} with its vertex {}", portalens::quoted(name), start);
+      return fmt::format("begin the list of {} with its vertex {}", in_quotes(name), start);
   }
   return "give two polygons of the same size and shape, mirror images of each other, to 1e-6 of "
          "the "
@@ -66,7 +66,7 @@ void PortalReader::read(Parameters& parameters, const std::string& name, Materia
     portal.back_material = materials.named_by(parameters, "back");
   if (!portal.vertices.empty()) {
     if (const auto fault = polygon_fault(portal.vertices)) {
-      parameters.fault("vertices", portalens::quoted(name) + ": " + fault->problem, fault->remedy);
+      parameters.fault("vertices", in_quotes(name) + ": " + fault->problem, fault->remedy);
     } else {
       read.sound = true;
       portal.frame = polygon_frame(portal.vertices);
@@ -92,17 +92,16 @@ std::optional<std::uint32_t> PortalReader::partner(std::uint32_t index) const {
       continue;
     }
     if (i == index)
-      return refuse("portal " + portalens::quoted(read.pair) + " is its own pair",
-                    "name another portal");
+      return refuse("portal " + in_quotes(read.pair) + " is its own pair", "name another portal");
     if (other.pair != read.portal.name)
-      return refuse("portal " + portalens::quoted(read.portal.name) + " names " +
-                        portalens::quoted(read.pair) + " as its pair, but " +
-                        portalens::quoted(read.pair) + " names " + portalens::quoted(other.pair),
+      return refuse("portal " + in_quotes(read.portal.name) + " names " + in_quotes(read.pair) +
+                        " as its pair, but " + in_quotes(read.pair) + " names " +
+                        in_quotes(other.pair),
                     "let the two portals of a pair name each other");
     return i;
   }
   return refuse(
-      "no portal has the name " + portalens::quoted(read.pair),
+      "no portal has the name " + in_quotes(read.pair),
       known.empty() ? "add the second portal of the pair" : suggestion_or_list(read.pair, known));
 }
 
@@ -114,8 +113,8 @@ void PortalReader::check_congruent(const Read& a, const Read& b) const {
                               : std::string("they have different numbers of vertices");
   faults_->add(b.vertices,
                fmt::format("portals {} ({}) and {} ({}) are not congruent: {}",
-                           portalens::quoted(a.portal.name), written(a.portal.vertices),
-                           portalens::quoted(b.portal.name), written(b.portal.vertices), how),
+                           in_quotes(a.portal.name), written(a.portal.vertices),
+                           in_quotes(b.portal.name), written(b.portal.vertices), how),
                remedy_for(b.portal.name, a.portal.vertices, b.portal.vertices));
 }
 

@@ -19,12 +19,12 @@ void about_camera(const World& world, Warnings& warnings) {
     const double distance = length(world.camera.position - mass.center);
     if (mass.horizon && distance <= mass.schwarzschild) {
       warnings.push_back(fmt::format("the camera lies within the horizon of {}: all is black",
-                                     portalens::quoted(mass.name)));
+                                     in_quotes(mass.name)));
     } else if (distance < mass.influence && std::isfinite(mass.influence)) {
       warnings.push_back(fmt::format(
           "the camera lies within the influence of {} (distance {:.4g}, radius {:.4g}): what lies "
           "beyond that radius bends nothing",
-          portalens::quoted(mass.name), distance, mass.influence));
+          in_quotes(mass.name), distance, mass.influence));
     }
   }
 }
@@ -35,7 +35,7 @@ void about_materials(const World& world, Warnings& warnings) {
     if (most > 1.0)
       warnings.push_back(fmt::format(
           "material {} gives back more light than it gets: diffuse + reflective reaches {:.4g}",
-          portalens::quoted(material.name), most));
+          in_quotes(material.name), most));
   }
 }
 
@@ -46,13 +46,13 @@ void about_masses(const World& world, Warnings& warnings) {
     if (!a.horizon && a.core == 0.0)
       warnings.push_back(fmt::format(
           "mass {} has neither a horizon nor a core: near its centre the pull has no bound",
-          portalens::quoted(a.name)));
+          in_quotes(a.name)));
     if (!a.horizon) continue;
     for (std::size_t j = 0; j < i; ++j) {
       const Mass& b = masses[j];
       if (b.horizon && length(a.center - b.center) < a.schwarzschild + b.schwarzschild)
-        warnings.push_back(fmt::format("the horizons of {} and {} overlap",
-                                       portalens::quoted(b.name), portalens::quoted(a.name)));
+        warnings.push_back(
+            fmt::format("the horizons of {} and {} overlap", in_quotes(b.name), in_quotes(a.name)));
     }
   }
 }
@@ -74,7 +74,7 @@ void about_hidden_bodies(const World& world, Warnings& warnings) {
     if (mass.horizon && length(farthest) <= mass.schwarzschild)
       warnings.push_back(fmt::format(
           "the surface of {} lies within its own horizon (radius {:.4g}) and is never seen",
-          portalens::quoted(body.name), mass.schwarzschild));
+          in_quotes(body.name), mass.schwarzschild));
   }
 }
 
@@ -85,7 +85,7 @@ void about_portals(const World& world, Warnings& warnings) {
       if (portals_overlap(portals[j], portals[i]))
         warnings.push_back(fmt::format(
             "portals {} and {} lie in one plane and overlap: where they do, the first one counts",
-            portalens::quoted(portals[j].name), portalens::quoted(portals[i].name)));
+            in_quotes(portals[j].name), in_quotes(portals[i].name)));
 }
 
 void about_light(const World& world, Warnings& warnings) {

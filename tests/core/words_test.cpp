@@ -56,6 +56,7 @@ TEST(Suggestion, OnlyKnownWordsAreSuggested) {
 TEST(Quotes, NothingUnprintableAndNothingEndlessIsPrinted) {
   EXPECT_EQ(in_quotes("a\x1b[31m\n"), "'a?[31m?'");
   EXPECT_LT(in_quotes(std::string(1000000, 'x')).size(), 100U);
+  EXPECT_LT(listed(std::vector<std::string>(1000000, "x")).size(), 1000U);
 }
 
 }  // namespace
