@@ -29,7 +29,8 @@ struct Pair {
 
   static constexpr int lanes = 2 * static_cast<int>(P::size);
 
-  Pair() : a(0.0f), b(0.0f) {}
+  /// Without values: arrays of lanes are large.
+  Pair() = default;
   Pair(P low, P high) : a(low), b(high) {}
   Pair(double x) : a(static_cast<float>(x)), b(static_cast<float>(x)) {}
   Pair(float x) : a(x), b(x) {}

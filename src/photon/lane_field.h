@@ -76,30 +76,35 @@ struct LaneField {
     if (scene.gate_count == 0) return sum;
 
     R qx[most_lane_gates], qy[most_lane_gates];
-    LaneBending<R> through[most_lane_gates];
+    R ax[most_lane_gates], ay[most_lane_gates], az[most_lane_gates];
     for (int g = 0; g < scene.gate_count; ++g) {
       const Vec3<R> local = local_of(g, x, qx, qy);
       qx[g] = keep_x[g] * local.x + fix_x[g];
       qy[g] = keep_y[g] * local.y + fix_y[g];
-      through[g] = {{R(0), R(0), R(0)}, R(0), R(0)};
+      LaneBending<R> through{{R(0), R(0), R(0)}, sum.stiffness, sum.nearness};
       for (int i = 0; i < scene.mass_count; ++i)
-        add(through[g], spread<R>(scene.gates[g].images[i]) - Vec3<R>{qx[g], qy[g], R(0)},
-            seen[g][i], R(scene.masses[i].core2));
+        add(through, spread<R>(scene.gates[g].images[i]) - Vec3<R>{qx[g], qy[g], R(0)}, seen[g][i],
+            R(scene.masses[i].core2));
+      ax[g] = through.acceleration.x;
+      ay[g] = through.acceleration.y;
+      az[g] = through.acceleration.z;
+      sum.stiffness = through.stiffness;
+      sum.nearness = through.nearness;
     }
     // Children stand behind their parents.
     for (int g = scene.gate_count - 1; g >= 0; --g) {
       const LaneGate& gate = scene.gates[g];
-      const Vec3<R> a = through[g].acceleration;
-      LaneBending<R>& to = gate.parent < 0 ? sum : through[gate.parent];
       if (gate.parent < 0) {
-        to.acceleration +=
-            spread<R>(gate.right) * a.x + spread<R>(gate.up) * a.y + spread<R>(gate.normal) * a.z;
-      } else {
-        to.acceleration += spread<R>(gate.to_parent_x) * a.x + spread<R>(gate.to_parent_y) * a.y +
-                           spread<R>(gate.to_parent_z) * a.z;
+        sum.acceleration += spread<R>(gate.right) * ax[g] + spread<R>(gate.up) * ay[g] +
+                            spread<R>(gate.normal) * az[g];
+        continue;
       }
-      to.stiffness = to.stiffness + through[g].stiffness;
-      to.nearness = to.nearness + through[g].nearness;
+      const Vec3<R> turned = spread<R>(gate.to_parent_x) * ax[g] +
+                             spread<R>(gate.to_parent_y) * ay[g] +
+                             spread<R>(gate.to_parent_z) * az[g];
+      ax[gate.parent] = ax[gate.parent] + turned.x;
+      ay[gate.parent] = ay[gate.parent] + turned.y;
+      az[gate.parent] = az[gate.parent] + turned.z;
     }
     return sum;
   }

@@ -109,8 +109,8 @@ void add_masses(const Space& space, Vec3d center, LaneScene& scene) {
     lane.core2 = static_cast<float>(mass.core * mass.core);
     lane.influence = static_cast<float>(mass.influence);
     lane.influence2 = lane.influence * lane.influence;
-    const float horizon = static_cast<float>(mass.schwarzschild);
-    lane.horizon2 = mass.horizon && mass.gm > 0.0 ? horizon * horizon : -1.0f;
+    lane.horizon = mass.horizon && mass.gm > 0.0 ? static_cast<float>(mass.schwarzschild) : -1.0f;
+    lane.horizon2 = lane.horizon * lane.horizon;
   }
 }
 
@@ -156,6 +156,11 @@ void add_polygon(const Quad& quad, int shape, Vec3d center, LaneScene& scene) {
   lane.normal = narrow(normal);
   lane.distance = static_cast<float>(dot(vertices[0] - center, normal));
   lane.shape = shape;
+  const Vec3d middle = quad.bounds().middle();
+  double radius = 0.0;
+  for (const Vec3d& vertex : vertices) radius = std::max(radius, length(vertex - middle));
+  lane.middle = narrow(middle - center);
+  lane.radius = static_cast<float>(radius + 1e-6 * (radius + length(middle - center)));
   for (std::size_t i = 0; i < 4; ++i) {
     const std::size_t k = i % vertices.size();
     const Vec3d from = vertices[k], to = vertices[(k + 1) % vertices.size()];

@@ -19,7 +19,8 @@ struct LaneMass {
   float core2;
   float influence;
   float influence2;
-  float horizon2;  ///< r_s², or -1 without a horizon
+  float horizon;  ///< r_s, or -1 without a horizon
+  float horizon2;
 };
 
 inline constexpr int most_lane_masses = 8;
@@ -56,7 +57,9 @@ struct LanePortal {
 /// A convex polygon of 3 or 4 edges: a point of its plane lies inside where all edges say so.
 struct LanePolygon {
   LaneVec normal;
-  float distance;          ///< normal · x on the plane
+  float distance;  ///< normal · x on the plane
+  LaneVec middle;  ///< and radius of a ball that holds it
+  float radius;
   LaneVec edge_normal[4];  ///< in the plane, inwards; a triangle repeats one
   float edge_distance[4];
   int shape;

@@ -13,12 +13,14 @@ template <class R>
 struct LaneCubic {
   Vec3<R> c0, c1, c2, c3;
   R h;
+  R stray;  ///< how far the curve can be from the straight way along its first direction
 
   LaneCubic(Vec3<R> x0, Vec3<R> t0, Vec3<R> x1, Vec3<R> t1, R length)
       : c0(x0), c1(t0 * length), h(length) {
     const Vec3<R> d = x1 - x0 - c1, e = (t1 - t0) * length;
     c2 = d * R(3) - e;
     c3 = e - d * R(2);
+    stray = sqrt(dot(c2, c2)) + sqrt(dot(c3, c3));
   }
   [[nodiscard]] Vec3<R> position(R u) const { return c0 + (c1 + (c2 + c3 * u) * u) * u; }
   [[nodiscard]] Vec3<R> velocity(R u) const { return c1 + (c2 * R(2) + c3 * (R(3) * u)) * u; }
@@ -129,16 +131,27 @@ class LaneStepper {
     return u;
   }
 
+  /// False only where the curve stays out of a ball about `-from`, as seen from its start.
+  [[nodiscard]] static Mask may_touch(const LaneCubic<R>& cubic, V from, R radius) {
+    const R along = -dot(from, cubic.c1);
+    const R length2 = dot(cubic.c1, cubic.c1);
+    const R share = min(max(along, R(0)), length2) / length2;
+    const V nearest = from + cubic.c1 * share;
+    const R within = (radius + cubic.stray) * R(1.0001);
+    return dot(nearest, nearest) <= within * within;
+  }
+
   void find_horizons(const LaneCubic<R>& cubic, LaneFinding<R>& found) const {
     for (int i = 0; i < scene_.mass_count; ++i) {
       const LaneMass& mass = scene_.masses[i];
-      if (mass.horizon2 < 0.0f) continue;
+      if (mass.horizon < 0.0f) continue;
       const V center = spread<R>(mass.center);
       const auto outside = [&](R u) {
         const V d = cubic.position(u) - center;
         return dot(d, d) - R(mass.horizon2);
       };
       const V from = cubic.c0 - center;
+      if (!any(may_touch(cubic, from, R(mass.horizon)))) continue;
       const R approach = dot(from, cubic.c1);
       // The closest approach of the tangent bounds how near the step may come.
       const R closest = min(max(-approach / dot(cubic.c1, cubic.c1), R(0)), R(1));
@@ -193,7 +206,9 @@ class LaneStepper {
       // Both ends on one side, first towards the plane, then away: it may dip through between.
       const Mask dips =
           (!crosses) & (z0 * s0 < R(0)) & (z1 * s1 > R(0)) & (min(abs(z0), abs(z1)) < sagitta);
-      if (!any(crosses | dips)) continue;
+      if (!any((crosses | dips) &
+               may_touch(cubic, cubic.c0 - spread<R>(polygon.middle), R(polygon.radius))))
+        continue;
       const R u = root(
           z0 / select(crosses, z0 - z1, R(1)),
           [&](R at) { return dot(cubic.position(at), normal) - R(polygon.distance); },
@@ -215,6 +230,8 @@ class LaneStepper {
     for (int i = 0; i < scene_.sphere_count; ++i) {
       const LaneSphere& sphere = scene_.spheres[i];
       const V center = spread<R>(sphere.center);
+      const V from = cubic.c0 - center;
+      if (!any(may_touch(cubic, from, R(sphere.radius)))) continue;
       const R r2(sphere.radius * sphere.radius);
       const auto outside = [&](R u) {
         const V d = cubic.position(u) - center;
@@ -228,7 +245,6 @@ class LaneStepper {
       f0 = select(leaving, side * R(1e-20), f0);
       const R f1 = outside(R(1));
       // From outside the nearest point of the step decides.
-      const V from = cubic.c0 - center;
       R nearest = -dot(from, cubic.c1) / dot(cubic.c1, cubic.c1);
       nearest = min(max(nearest, R(0)), R(1));
       const V there = cubic.position(nearest) - center;
