@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -155,6 +156,15 @@ void add_render_command(CLI::App& program, Command& chosen) {
                   "Pixels along the side of the squares that threads work on")
       ->capture_default_str()
       ->check(CLI::Range(1, 4096));
+  command
+      .add_option("--engine", arguments->options.engine,
+                  "automatic: photons in lanes of floats where the scene allows it; scalar: one by "
+                  "one in double, the program's own standard")
+      ->transform(
+          CLI::CheckedTransformer(std::map<std::string, Engine>{{"automatic", Engine::automatic},
+                                                                {"scalar", Engine::scalar}},
+                                  CLI::ignore_case))
+      ->type_name("automatic|scalar");
   command.add_flag("-q,--quiet", arguments->quiet, "Print nothing but faults");
   command.add_flag("--stats", arguments->statistics, "Print what it took");
   command.add_flag("--json", arguments->json, "Print what it took, as one JSON object");

@@ -18,8 +18,8 @@ constexpr std::uint64_t most_in_wave = 8192;
 /// begin and end within a pixel.
 class TileWork {
  public:
-  TileWork(const World& world, const Window& tile, Exposure& film)
-      : world_(world), tile_(tile), film_(film) {}
+  TileWork(const World& world, const Window& tile, Engine engine, Exposure& film)
+      : world_(world), tile_(tile), engine_(engine), film_(film) {}
 
   Tally take() {
     const auto per_pixel = static_cast<std::uint64_t>(world_.sampling.samples);
@@ -28,7 +28,8 @@ class TileWork {
     for (std::uint64_t begin = 0; begin < total; begin += most_in_wave) {
       const std::uint64_t count = std::min(most_in_wave, total - begin);
       light_.assign(count, Rgb{});
-      carry_light(world_.space, world_.appearance, camera_photons(begin, count), light_, tally_);
+      carry_light(world_.space, world_.appearance, camera_photons(begin, count), light_, engine_,
+                  tally_);
       for (std::uint64_t i = 0; i < count; ++i) {
         sum += checked(light_[i]);
         if ((begin + i + 1) % per_pixel != 0) continue;
@@ -75,6 +76,7 @@ class TileWork {
 
   const World& world_;
   Window tile_;
+  Engine engine_;
   Exposure& film_;
   std::vector<Rgb> light_;
   Tally tally_;
@@ -95,7 +97,7 @@ RenderResult render(const World& world, const RenderOptions& options, Progress* 
   std::size_t done = 0;
   const auto work = [&](std::size_t i) {
     const Window tile = tiles[i];
-    const Tally tally = TileWork(world, tile, film).take();
+    const Tally tally = TileWork(world, tile, options.engine, film).take();
     const std::lock_guard lock(guard);
     result.tally += tally;
     done += tile.pixels();

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/image.h"
+#include "photon/engine.h"
 #include "render/film.h"
 #include "render/tally.h"
 #include "world/world.h"
@@ -13,8 +14,9 @@
 namespace portalens {
 
 struct RenderOptions {
-  int threads = 0;             ///< 0: as many as the machine runs at once
-  int tile_size = 32;          ///< pixels along a tile's side, >= 1
+  int threads = 0;     ///< 0: as many as the machine runs at once
+  int tile_size = 32;  ///< pixels along a tile's side, >= 1
+  Engine engine = Engine::automatic;
   std::optional<Window> crop;  ///< the part of the picture to take; it must lie within the film
 };
 

@@ -20,7 +20,7 @@ namespace portalens {
 /// their order; so its sum does not depend on which other photons travel along.
 /// @pre every photon's sample < light.size(), and no two photons have the same
 inline void carry_light(const Space& space, const Appearance& appearance, std::vector<Photon> wave,
-                        std::span<Rgb> light, Tally& tally) {
+                        std::span<Rgb> light, Engine engine, Tally& tally) {
   constexpr std::size_t most_at_once = std::size_t{1} << 16;
   const std::size_t each = std::max<std::size_t>(1, most_shadow_queries(space, appearance));
   const std::size_t slice = std::max<std::size_t>(1, most_at_once / each);
@@ -31,7 +31,7 @@ inline void carry_light(const Space& space, const Appearance& appearance, std::v
   ShadeOutput found;
   while (!wave.empty()) {
     arrivals.assign(wave.size(), Arrival{});
-    advance(space, wave, arrivals);
+    advance(space, wave, arrivals, engine);
     for (const Arrival& arrival : arrivals) tally.count(arrival);
 
     offspring.clear();
