@@ -13,11 +13,12 @@ Vec3d closest_on_segment(Vec3d a, Vec3d b, Vec3d x) {
   return a + edge * s;
 }
 
-bool covers(const Portal& portal, Vec3d point) {
-  const std::size_t count = portal.vertices.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const Vec3d from = portal.vertices[i], edge = portal.vertices[(i + 1) % count] - from;
-    if (dot(cross(edge, point - from), portal.frame.normal) < 0.0) return false;
+/// Whether a point of the plane lies within a polygon that runs counter-clockwise round `normal`.
+template <class Vertices>
+bool within(const Vertices& vertices, Vec3d normal, Vec3d point) {
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Vec3d from = vertices[i], edge = vertices[(i + 1) % vertices.size()] - from;
+    if (dot(cross(edge, point - from), normal) < 0.0) return false;
   }
   return true;
 }
@@ -26,7 +27,8 @@ bool covers(const Portal& portal, Vec3d point) {
 Vec3d closest_on_front(const Portal& portal, Vec3d x) {
   const double height = dot(x - portal.frame.origin, portal.frame.normal);
   const Vec3d foot = x - portal.frame.normal * height;
-  if (height >= -portal.height_tolerance() && covers(portal, foot)) return foot;
+  if (height >= -portal.height_tolerance() && within(portal.vertices, portal.frame.normal, foot))
+    return foot;
   const std::size_t count = portal.vertices.size();
   Vec3d best;
   double least = INFINITY;
@@ -38,6 +40,29 @@ Vec3d closest_on_front(const Portal& portal, Vec3d x) {
   return best;
 }
 
+/// Distance at which the segment of length `high` meets the shape, or infinity: the plane first,
+/// the polygon only if that is met; a sphere by its quadratic.
+double meet(const Shape& shape, const Ray& ray, double high) {
+  if (const auto* quad = std::get_if<Quad>(&shape)) {
+    const double slope = dot(quad->normal(), ray.direction);
+    const double s = dot(quad->vertices()[0] - ray.origin, quad->normal()) / slope;
+    if (!(s > 1e-9 && s <= high)) return INFINITY;
+    return within(quad->vertices(), quad->normal(), ray.at(s)) ? s : INFINITY;
+  }
+  if (const auto* sphere = std::get_if<Sphere>(&shape)) {
+    const Vec3d from = ray.origin - sphere->center();
+    const double half = dot(from, ray.direction);
+    const double square = half * half - dot(from, from) + sphere->radius() * sphere->radius();
+    if (square < 0.0) return INFINITY;
+    const double root = std::sqrt(square);
+    if (-half - root > 1e-9) return -half - root;
+    return -half + root > 1e-9 ? -half + root : INFINITY;
+  }
+  const auto contact =
+      std::visit([&](const auto& other) { return other.intersect(ray, 1e-9, high); }, shape);
+  return contact ? contact->distance : INFINITY;
+}
+
 }  // namespace
 
 PaperMethod::PaperMethod(const Space& space, double step, int depth)
@@ -45,15 +70,18 @@ PaperMethod::PaperMethod(const Space& space, double step, int depth)
   Box box = space.surfaces.bounds();
   for (const Portal& portal : space.portals.portals())
     for (const Vec3d& vertex : portal.vertices) box.add(vertex);
+  const Vec3d middle = box.empty() ? Vec3d{} : box.middle();
   double reach = 0.0;
-  for (const Mass& mass : space.masses) {
-    const Vec3d r{mass.influence, mass.influence, mass.influence};
-    box.add(mass.center - r);
-    box.add(mass.center + r);
-    reach = std::fmax(reach, mass.influence);
-  }
-  middle_ = box.middle();
-  radius_ = 0.5 * box.diagonal() + (depth > 0 ? reach : 0.0);
+  if (depth > 0)
+    for (const Mass& mass : space.masses) reach = std::fmax(reach, mass.influence);
+  // Ours, not the paper's (physics.md, sec. 5), so that both follow the same light.
+  const auto* coupling = std::get_if<ClosestPointCoupling>(&space.coupling);
+  const auto portals = static_cast<std::uint32_t>(space.portals.portals().size());
+  for (int k = 0; k <= depth; ++k)
+    for (std::uint32_t a = 0; a < portals; ++a)
+      reach_.push_back(coupling && k > 0 ? coupling->reach(a, k) : 0.0);
+  balls_.push_back({middle, 0.5 * box.diagonal() + reach});
+  for (const Mass& mass : space.masses) balls_.push_back({mass.center, mass.influence});
 }
 
 Vec3d PaperMethod::acceleration(Vec3d x, int depth, std::uint32_t left_out) const {
@@ -69,14 +97,19 @@ Vec3d PaperMethod::acceleration(Vec3d x, int depth, std::uint32_t left_out) cons
     if (i == left_out) continue;
     const Portal& portal = portals[i];
     const Vec3d q = closest_on_front(portal, x);
+    const double reach = reach_[static_cast<std::size_t>(depth) * portals.size() + i];
+    if (!(dot(x - q, x - q) < reach * reach)) continue;
     g += portal.through.rotate_back(acceleration(portal.through.move(q), depth - 1, portal.pair));
   }
   return g;
 }
 
 bool PaperMethod::beyond_everything(Vec3d x, Vec3d direction) const {
-  const Vec3d d = x - middle_;
-  return dot(d, d) > radius_ * radius_ && dot(d, direction) > 0.0;
+  for (const Ball& ball : balls_) {
+    const Vec3d d = x - ball.center;
+    if (dot(d, d) <= ball.radius * ball.radius || dot(d, direction) <= 0.0) return false;
+  }
+  return true;
 }
 
 Arrival PaperMethod::advance(const Photon& photon) const {
@@ -96,12 +129,8 @@ Arrival PaperMethod::advance(const Photon& photon) const {
     Met met = Met::nothing;
     std::uint32_t object = no_object;
     for (std::uint32_t i = 0; i < shapes.size(); ++i) {
-      const auto contact = std::visit(
-          [&](const auto& shape) {
-            return shape.intersect(Ray{x, t}, 1e-9, nearest);
-          },
-          shapes[i]);
-      if (contact) nearest = contact->distance, met = Met::surface, object = i;
+      const double distance = meet(shapes[i], {x, t}, nearest);
+      if (distance < nearest) nearest = distance, met = Met::surface, object = i;
     }
     std::optional<std::uint32_t> entered;
     const auto portals = space_.portals.portals();
@@ -109,7 +138,9 @@ Arrival PaperMethod::advance(const Photon& photon) const {
       const double slope = dot(t, portals[i].frame.normal);
       if (slope >= 0.0 || i == left) continue;
       const double s = -dot(x - portals[i].frame.origin, portals[i].frame.normal) / slope;
-      if (s >= 0.0 && s <= nearest && covers(portals[i], x + t * s)) nearest = s, entered = i;
+      if (s >= 0.0 && s <= nearest &&
+          within(portals[i].vertices, portals[i].frame.normal, x + t * s))
+        nearest = s, entered = i;
     }
     x = x + t * nearest;
     arrival.length += nearest;

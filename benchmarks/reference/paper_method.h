@@ -26,8 +26,12 @@ class PaperMethod {
   const Space& space_;
   double step_;
   int depth_;
-  Vec3d middle_;
-  double radius_;  ///< of a ball about `middle_` that holds all influences and surfaces
+  std::vector<double> reach_;  ///< [depth][portal]: within it the portal acts
+  struct Ball {
+    Vec3d center;
+    double radius;
+  };
+  std::vector<Ball> balls_;  ///< outside all of them nothing bends and nothing is met
 };
 
 }  // namespace portalens::reference
