@@ -29,7 +29,7 @@ struct Surroundings {
 /// g / c² at a point, and the two sums from which a step is chosen.
 struct Bending {
   Vec3d acceleration;      ///< 1/length: dt/ds before its part along t is removed
-  double stiffness = 0.0;  ///< Σ m / d⁵, 1/length⁴
+  double stiffness = 0.0;  ///< Σ w m / d⁵ with w = path_weight, 1/length⁴
   double nearness = 0.0;   ///< Σ 1 / d⁴, 1/length⁴
 };
 
@@ -52,8 +52,9 @@ class Field {
     out.signature = coupling_.signature(anchor);
   }
 
+  /// @param t  direction of the path, a unit vector: steps depend on it, the acceleration doesn't
   /// @pre x is not exactly at a mass without a core
-  [[nodiscard]] Bending bending(Vec3d x, const Surroundings& frozen) const {
+  [[nodiscard]] Bending bending(Vec3d x, Vec3d t, const Surroundings& frozen) const {
     Bending sum;
     for (std::uint32_t i : frozen.inside) {
       const Mass& mass = masses_[i];
@@ -62,13 +63,14 @@ class Field {
       const double inverse2 = 1.0 / q;
       const double pull = mass.gm * inverse_c2_ * inverse2 * std::sqrt(inverse2);
       sum.acceleration += to_mass * pull;
-      sum.stiffness += pull * inverse2;
+      const double along = dot(to_mass, t), m = mass.gm * inverse_c2_;
+      sum.stiffness += pull * inverse2 * path_weight(m * m, q - along * along);
       sum.nearness += inverse2 * inverse2;
     }
     if (frozen.quiet == 0.0) {
       const Pull through = coupling_.pull(x, frozen.anchor);
       sum.acceleration += through.acceleration * inverse_c2_;
-      sum.stiffness += through.stiffness * inverse_c2_;
+      sum.stiffness += through.stiffness * inverse_c2_ * distant_weight;
       sum.nearness += through.nearness;
     }
     return sum;
@@ -111,6 +113,9 @@ class Field {
   }
 
  private:
+  /// Stands for `path_weight` where a mass acts through a portal: light can't come near it.
+  static constexpr double distant_weight = 0.3;
+
   std::span<const Mass> masses_;
   const C& coupling_;
   double inverse_c2_;

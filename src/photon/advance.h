@@ -61,7 +61,7 @@ class Tracer {
     if (restless_) {
       field_.surround(ahead(), surroundings_);
       if (surroundings_.silent()) return fly();
-      bending_ = field_.bending(travel_.state.position, surroundings_);
+      bending_ = field_.bending(travel_.state.position, travel_.state.direction, surroundings_);
       restless_ = false;
     }
     if (far_from_all()) return true;
@@ -216,7 +216,7 @@ class Tracer {
 
   [[nodiscard]] Curve try_step(double h) {
     const auto acceleration = [this](Vec3d x) {
-      return field_.bending(x, surroundings_).acceleration;
+      return field_.bending(x, travel_.state.direction, surroundings_).acceleration;
     };
     const StepResult<double> result =
         I::step(acceleration, travel_.state, bending_.acceleration, h);
@@ -226,7 +226,7 @@ class Tracer {
       extra_turning_ = turned;
       return Curve(travel_.state.position, end_.direction, h);
     } else {
-      end_bending_ = field_.bending(end_.position, surroundings_);
+      end_bending_ = field_.bending(end_.position, end_.direction, surroundings_);
       return Curve(travel_.state.position, travel_.state.direction,
                    turning_part(bending_.acceleration, travel_.state.direction), end_.position,
                    end_.direction, turning_part(end_bending_.acceleration, end_.direction),

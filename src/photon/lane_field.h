@@ -69,43 +69,31 @@ struct LaneField {
     }
   }
 
-  [[nodiscard]] LaneBending<R> bending(Vec3<R> x) const {
+  /// What a step of the direction `t` is chosen from, and its first acceleration.
+  [[nodiscard]] LaneBending<R> bending(Vec3<R> x, Vec3<R> t) const {
     LaneBending<R> sum{{R(0), R(0), R(0)}, R(0), R(0)};
-    for (int i = 0; i < scene.mass_count; ++i)
-      add(sum, spread<R>(scene.masses[i].center) - x, inside[i], R(scene.masses[i].core2));
-    if (scene.gate_count == 0) return sum;
+    for (int i = 0; i < scene.mass_count; ++i) {
+      const Vec3<R> to_mass = spread<R>(scene.masses[i].center) - x;
+      const R along = dot(to_mass, t);
+      const R b2 = dot(to_mass, to_mass) + R(scene.masses[i].core2) - along * along;
+      const R m2 = R(scene.masses[i].gm * scene.masses[i].gm);
+      const Source source = pull_of(to_mass, inside[i], R(scene.masses[i].core2));
+      sum.acceleration += to_mass * source.pull;
+      add(sum, source, inside[i], path_weight(m2, max(b2, R(0))));
+    }
+    if (scene.gate_count > 0)
+      sum.acceleration += through_gates(
+          x, [&](const Source& source, R gm) { add(sum, source, gm, R(distant_weight)); });
+    return sum;
+  }
 
-    R qx[most_lane_gates], qy[most_lane_gates];
-    R ax[most_lane_gates], ay[most_lane_gates], az[most_lane_gates];
-    for (int g = 0; g < scene.gate_count; ++g) {
-      const Vec3<R> local = local_of(g, x, qx, qy);
-      qx[g] = keep_x[g] * local.x + fix_x[g];
-      qy[g] = keep_y[g] * local.y + fix_y[g];
-      LaneBending<R> through{{R(0), R(0), R(0)}, sum.stiffness, sum.nearness};
-      for (int i = 0; i < scene.mass_count; ++i)
-        add(through, spread<R>(scene.gates[g].images[i]) - Vec3<R>{qx[g], qy[g], R(0)}, seen[g][i],
-            R(scene.masses[i].core2));
-      ax[g] = through.acceleration.x;
-      ay[g] = through.acceleration.y;
-      az[g] = through.acceleration.z;
-      sum.stiffness = through.stiffness;
-      sum.nearness = through.nearness;
+  [[nodiscard]] Vec3<R> acceleration(Vec3<R> x) const {
+    Vec3<R> sum{R(0), R(0), R(0)};
+    for (int i = 0; i < scene.mass_count; ++i) {
+      const Vec3<R> to_mass = spread<R>(scene.masses[i].center) - x;
+      sum += to_mass * pull_of(to_mass, inside[i], R(scene.masses[i].core2)).pull;
     }
-    // Children stand behind their parents.
-    for (int g = scene.gate_count - 1; g >= 0; --g) {
-      const LaneGate& gate = scene.gates[g];
-      if (gate.parent < 0) {
-        sum.acceleration += spread<R>(gate.right) * ax[g] + spread<R>(gate.up) * ay[g] +
-                            spread<R>(gate.normal) * az[g];
-        continue;
-      }
-      const Vec3<R> turned = spread<R>(gate.to_parent_x) * ax[g] +
-                             spread<R>(gate.to_parent_y) * ay[g] +
-                             spread<R>(gate.to_parent_z) * az[g];
-      ax[gate.parent] = ax[gate.parent] + turned.x;
-      ay[gate.parent] = ay[gate.parent] + turned.y;
-      az[gate.parent] = az[gate.parent] + turned.z;
-    }
+    if (scene.gate_count > 0) sum += through_gates(x, [](const Source&, R) {});
     return sum;
   }
 
@@ -127,13 +115,59 @@ struct LaneField {
   }
 
  private:
-  static void add(LaneBending<R>& sum, Vec3<R> to_mass, R gm, R core2) {
-    const R q = dot(to_mass, to_mass) + core2;
-    const R inverse2 = R(1) / q;
-    const R pull = gm * inverse2 * sqrt(inverse2);
-    sum.acceleration += to_mass * pull;
-    sum.stiffness = sum.stiffness + pull * inverse2;
-    sum.nearness = sum.nearness + select(gm > R(0), inverse2 * inverse2, R(0));
+  /// As `Field` has it.
+  static constexpr float distant_weight = 0.3f;
+
+  struct Source {
+    R inverse2, pull;  ///< 1/d² and m/d³
+  };
+
+  [[nodiscard]] static Source pull_of(Vec3<R> to_mass, R gm, R core2) {
+    const R inverse2 = R(1) / (dot(to_mass, to_mass) + core2);
+    return {inverse2, gm * inverse2 * sqrt(inverse2)};
+  }
+
+  static void add(LaneBending<R>& sum, const Source& source, R gm, R weight) {
+    sum.stiffness = sum.stiffness + source.pull * source.inverse2 * weight;
+    sum.nearness = sum.nearness + select(gm > R(0), source.inverse2 * source.inverse2, R(0));
+  }
+
+  /// What comes through the gates; `tell` hears of every mass seen through one.
+  template <class Tell>
+  [[nodiscard]] Vec3<R> through_gates(Vec3<R> x, const Tell& tell) const {
+    R qx[most_lane_gates], qy[most_lane_gates];
+    R ax[most_lane_gates], ay[most_lane_gates], az[most_lane_gates];
+    for (int g = 0; g < scene.gate_count; ++g) {
+      const Vec3<R> local = local_of(g, x, qx, qy);
+      qx[g] = keep_x[g] * local.x + fix_x[g];
+      qy[g] = keep_y[g] * local.y + fix_y[g];
+      ax[g] = ay[g] = az[g] = R(0);
+      for (int i = 0; i < scene.mass_count; ++i) {
+        const Vec3<R> to_mass = spread<R>(scene.gates[g].images[i]) - Vec3<R>{qx[g], qy[g], R(0)};
+        const Source source = pull_of(to_mass, seen[g][i], R(scene.masses[i].core2));
+        ax[g] = ax[g] + to_mass.x * source.pull;
+        ay[g] = ay[g] + to_mass.y * source.pull;
+        az[g] = az[g] + to_mass.z * source.pull;
+        tell(source, seen[g][i]);
+      }
+    }
+    // Children stand behind their parents.
+    Vec3<R> sum{R(0), R(0), R(0)};
+    for (int g = scene.gate_count - 1; g >= 0; --g) {
+      const LaneGate& gate = scene.gates[g];
+      if (gate.parent < 0) {
+        sum += spread<R>(gate.right) * ax[g] + spread<R>(gate.up) * ay[g] +
+               spread<R>(gate.normal) * az[g];
+        continue;
+      }
+      const Vec3<R> turned = spread<R>(gate.to_parent_x) * ax[g] +
+                             spread<R>(gate.to_parent_y) * ay[g] +
+                             spread<R>(gate.to_parent_z) * az[g];
+      ax[gate.parent] = ax[gate.parent] + turned.x;
+      ay[gate.parent] = ay[gate.parent] + turned.y;
+      az[gate.parent] = az[gate.parent] + turned.z;
+    }
+    return sum;
   }
 
   [[nodiscard]] Vec3<R> local_of(int g, Vec3<R> x, const R* qx, const R* qy) const {

@@ -57,13 +57,13 @@ class LaneStepper {
     LaneField<R> field(scene_);
     field.decide(x + t * R(scene_.ahead));
 
-    const LaneBending<R> start = field.bending(x);
+    const LaneBending<R> start = field.bending(x, t);
     R h = Nystrom::propose(start.stiffness, start.nearness, R(scene_.stiffness_weight),
                            R(scene_.nearness_weight));
     const V bend = turning_part(start.acceleration, t);
     h = min(h, field.boundary(x, t, bend) + R(scene_.overshoot));
     h = select(field.acting & live, h, R(1));
-    const auto acceleration = [&](V place) { return field.bending(place).acceleration; };
+    const auto acceleration = [&](V place) { return field.acceleration(place); };
     const StateOf<R> end = Nystrom::step(acceleration, StateOf<R>{x, t}, start.acceleration, h).end;
 
     const LaneCubic<R> cubic(x, t, end.position, end.direction, h);

@@ -13,8 +13,9 @@ namespace portalens {
 /// Nyström's fourth-order method for x'' = a(x, x'): three evaluations of the field a step, since
 /// the second and third stage share a position. Order 4. No step is ever rejected for its error:
 /// the error of a step of h at distance d from a mass goes as (m/d) (h/d)⁴ h/d, so steps of
-///     h = (Σ m d⁻⁵ / η⁴ + Σ d⁻⁴ / λ⁴)^(-1/4)
+///     h = (Σ w m d⁻⁵ / η⁴ + Σ d⁻⁴ / λ⁴)^(-1/4)
 /// spread it evenly over the path; the second sum keeps a step shorter than λ times the distance.
+/// Near capture a path magnifies every error made on the way: hence the weight w, `path_weight`.
 struct Nystrom {
   static constexpr std::string_view name = "adaptive";
   static constexpr bool fixed_step = false;
@@ -26,7 +27,7 @@ struct Nystrom {
     return {1.0 / (error_share * settings.tolerance), 1.0 / std::pow(longest_share, 4)};
   }
 
-  /// @param stiffness  Σ m d⁻⁵, nearness  Σ d⁻⁴, both 1/length⁴
+  /// @param stiffness  Σ w m d⁻⁵, nearness  Σ d⁻⁴, both 1/length⁴
   template <class Real>
   [[nodiscard]] static Real propose(Real stiffness, Real nearness, Real stiffness_weight,
                                     Real nearness_weight) {
