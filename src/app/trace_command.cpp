@@ -6,13 +6,17 @@
 #include <algorithm>
 #include <fstream>
 #include <iostream>
+#include <limits>
 #include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "app/command.h"
 #include "app/read_rays.h"
 #include "app/scene_options.h"
 #include "app/trace_ray.h"
+#include "render/camera_photon.h"
 #include "render/parallel.h"
 
 namespace portalens {
@@ -22,14 +26,16 @@ struct TraceArguments {
   SceneOptions scene;
   std::vector<double> ray;
   std::string rays_file;
-  int bounces = 0;
+  std::vector<std::pair<int, int>> pixels;
+  std::optional<std::uint32_t> sample;
+  std::optional<int> bounces;
   int threads = 0;
   bool json = false;
   bool path = false;
 };
 
-/// Rays traced between two looks at the output, so that a long list shows its answers early.
-constexpr std::size_t rays_at_once = 4096;
+/// Photons traced between two looks at the output, so that a long list shows its answers early.
+constexpr std::size_t photons_at_once = 4096;
 
 std::vector<Ray> rays_of(const TraceArguments& arguments) {
   if (!arguments.ray.empty()) {
@@ -47,22 +53,61 @@ std::vector<Ray> rays_of(const TraceArguments& arguments) {
   return read_rays(file, arguments.rays_file);
 }
 
-int trace_rays(const TraceArguments& arguments) {
+/// The camera's photons for the pixels that were asked for.
+std::vector<Photon> camera_photons(const World& world, const TraceArguments& arguments) {
+  Faults faults;
+  const Film& film = world.film;
+  if (arguments.sample && *arguments.sample >= world.sampling.samples)
+    faults.add({}, fmt::format("--sample {}: a pixel has no such sample", *arguments.sample),
+               fmt::format("0 to {} are there (sampler.samples)", world.sampling.samples - 1));
+  std::vector<Photon> photons;
+  for (const auto& [x, y] : arguments.pixels) {
+    if (x < 0 || y < 0 || x >= film.width || y >= film.height)
+      faults.add({}, fmt::format("--pixel {} {} is no pixel of the picture", x, y),
+                 fmt::format("0 <= X < {} and 0 <= Y < {} are needed; (0, 0) is top left",
+                             film.width, film.height));
+    else
+      photons.push_back(arguments.sample ? camera_photon(world, {x, y, *arguments.sample})
+                                         : central_photon(world, x, y));
+  }
+  faults.raise();
+  return photons;
+}
+
+std::vector<Photon> photons_of(const World& world, const TraceArguments& arguments) {
+  if (!arguments.pixels.empty()) return camera_photons(world, arguments);
+  std::vector<Photon> photons;
+  for (const Ray& ray : rays_of(arguments)) {
+    Photon& photon = photons.emplace_back();
+    photon.position = ray.origin;
+    photon.direction = ray.direction;
+  }
+  return photons;
+}
+
+Trace traced(const World& world, const Photon& photon, const TraceArguments& arguments) {
+  constexpr int unlimited = std::numeric_limits<int>::max();
+  if (!arguments.pixels.empty())
+    return trace_pixel(world, photon, arguments.bounces.value_or(unlimited));
+  return trace_ray(world, photon, arguments.bounces.value_or(0));
+}
+
+int trace_photons(const TraceArguments& arguments) {
   const Scene scene = read_with_settings(arguments.scene);
   const World world = compile_with_options(scene, arguments.scene);
-  const std::vector<Ray> rays = rays_of(arguments);
+  const std::vector<Photon> photons = photons_of(world, arguments);
   const PathOutput path = arguments.path ? PathOutput::included : PathOutput::omitted;
   const int threads = arguments.threads > 0 ? arguments.threads : available_threads();
 
   std::vector<std::string> answers;
-  for (std::size_t begin = 0; begin < rays.size() && std::cout; begin += rays_at_once) {
-    answers.assign(std::min(rays_at_once, rays.size() - begin), std::string{});
+  for (std::size_t begin = 0; begin < photons.size() && std::cout; begin += photons_at_once) {
+    answers.assign(std::min(photons_at_once, photons.size() - begin), std::string{});
     const auto work = [&](std::size_t i) {
-      const Ray& ray = rays[begin + i];
-      const Trace trace = trace_ray(world, ray.origin, ray.direction, arguments.bounces);
-      answers[i] = arguments.json
-                       ? json_line(trace_json(world, trace, arguments.bounces, path)) + '\n'
-                       : trace_text(world, trace, path);
+      const Trace trace = traced(world, photons[begin + i], arguments);
+      answers[i] =
+          arguments.json
+              ? json_line(trace_json(world, trace, arguments.bounces.value_or(0), path)) + '\n'
+              : trace_text(world, trace, path);
     };
     parallel_for(answers.size(), threads, work, [] { return false; });
     for (const std::string& answer : answers) std::cout << answer;
@@ -86,10 +131,23 @@ void add_trace_command(CLI::App& program, Command& chosen) {
                       "A file with one photon a line, as for --ray; - is standard input")
           ->type_name("FILE")
           ->excludes(ray);
+  CLI::Option* pixels =
+      command
+          .add_option("--pixel", arguments->pixels,
+                      "The camera's photon through the centre of a pixel, counted from the top "
+                      "left, and on from mirror to mirror as the picture has it; may be repeated")
+          ->type_name("X Y")
+          ->excludes(ray)
+          ->excludes(rays);
+  command
+      .add_option("--sample", arguments->sample,
+                  "With --pixel: the photon of the picture's sample N, from 0, not the centre's")
+      ->needs(pixels)
+      ->type_name("N");
   command
       .add_option("--bounces", arguments->bounces,
                   "Take the first N surfaces for mirrors, and list them; by default a photon ends "
-                  "at its first surface")
+                  "at its first surface. With --pixel: follow at most N bounces")
       ->check(CLI::Range(0, 1000000))
       ->type_name("N");
   command
@@ -101,10 +159,12 @@ void add_trace_command(CLI::App& program, Command& chosen) {
   command.footer(R"(
 Examples:
   portalens trace scene.toml --ray 0 1 5  0 0 -1
+  portalens trace scene.toml --pixel 320 180
   portalens trace scene.toml --rays rays.txt --json --path > ways.jsonl)");
-  command.callback([arguments, ray, rays, &chosen] {
-    if (ray->count() + rays->count() == 0) throw CLI::RequiredError("--ray or --rays");
-    chosen = [arguments] { return trace_rays(*arguments); };
+  command.callback([arguments, ray, rays, pixels, &chosen] {
+    if (ray->count() + rays->count() + pixels->count() == 0)
+      throw CLI::RequiredError("--ray, --rays or --pixel");
+    chosen = [arguments] { return trace_photons(*arguments); };
   });
 }
 

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "shading/reflection.h"
+#include "shading/shade.h"
 #include "shading/shading_point.h"
 
 namespace portalens {
@@ -20,6 +21,35 @@ void append(Journey& journey, const Journey& more) {
   journey.crossings.insert(journey.crossings.end(), more.crossings.begin(), more.crossings.end());
 }
 
+/// Advances a photon that leaves the trace's end, which becomes a bounce.
+/// @return the arrival, counted from that bounce
+Arrival go_on(const Space& space, const Photon& photon, Trace& trace) {
+  Journey more;
+  const Arrival arrival = advance_recorded(space, photon, more);
+  append(trace.journey, more);
+  trace.bounces.push_back(trace.end);
+  Arrival next = arrival;
+  next.length += trace.end.length;
+  next.turning += trace.end.turning;
+  next.steps += trace.end.steps;
+  trace.end = next;
+  return arrival;
+}
+
+Rgb light_of(const Space& space, const ShadeOutput& found) {
+  Rgb light;
+  for (const Gleam& gleam : found.light) light += gleam.radiance;
+  for (const ShadowQuery& query : found.shadows)
+    if (visible(space, query)) light += query.contribution;
+  return light;
+}
+
+Rgb sum_of(const std::vector<Rgb>& lights) {
+  Rgb sum;
+  for (const Rgb& light : lights) sum += light;
+  return sum;
+}
+
 std::string place(Vec3d v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z); }
 
 std::string length_and_turning(double length, double turning) {
@@ -29,31 +59,69 @@ std::string length_and_turning(double length, double turning) {
 
 Json name_or_null(const std::string& name) { return name.empty() ? Json() : Json(name); }
 
+std::string light_text(Rgb light) {
+  return fmt::format("light {:.6g} {:.6g} {:.6g}", light.x, light.y, light.z);
+}
+
+/// Each layer under its name, in the float of the picture.
+Json layers_json(const Sight& sight) {
+  Json json = Json::object();
+  for (int i = 0; i < layer_count; ++i) {
+    const std::vector<float> values = channel_values(sight, static_cast<Layer>(i));
+    json[std::string(layer_names[i])] = values.size() == 1 ? Json(values.front()) : Json(values);
+  }
+  return json;
+}
+
+Json bounces_json(const World& world, const Trace& trace) {
+  Json bounces = Json::array();
+  for (std::size_t i = 0; i < trace.bounces.size(); ++i) {
+    const Arrival& bounce = trace.bounces[i];
+    Json& json = bounces.emplace_back(Json{{"object", name_or_null(name_of_met(world, bounce))},
+                                           {"position", to_json(bounce.position)},
+                                           {"direction", to_json(bounce.direction)},
+                                           {"length", bounce.length},
+                                           {"turning", bounce.turning}});
+    if (trace.view) json["light"] = to_json(trace.view->gleams[i]);
+  }
+  return bounces;
+}
+
 }  // namespace
 
-Trace trace_ray(const World& world, Vec3d position, Vec3d direction, int most_bounces) {
+Trace trace_ray(const World& world, const Photon& start, int most_bounces) {
   Trace trace;
-  Photon photon;
-  photon.position = position;
-  photon.direction = direction;
+  trace.start = start;
+  Photon photon = start;
   trace.end = advance_recorded(world.space, photon, trace.journey);
   for (int i = 0; i < most_bounces && trace.end.fate == Fate::hit; ++i) {
     const ShadingPoint point = shading_point(world.space, world.appearance, trace.end);
     const auto mirrored = reflect(trace.end.direction, point.normal, 0.0, 0.0, 0.0);
     if (!mirrored) break;
-    trace.bounces.push_back(trace.end);
     photon.position = point.position;
     photon.direction = mirrored->direction;
     photon.departure = point.leaving(photon.direction);
-    Journey more;
-    Arrival next = advance_recorded(world.space, photon, more);
-    append(trace.journey, more);
-    next.length += trace.end.length;
-    next.turning += trace.end.turning;
-    next.steps += trace.end.steps;
-    trace.end = next;
+    go_on(world.space, photon, trace);
   }
   return trace;
+}
+
+Trace trace_pixel(const World& world, const Photon& start, int most_bounces) {
+  Trace trace;
+  trace.start = start;
+  Photon photon = start;
+  Arrival arrival = advance_recorded(world.space, photon, trace.journey);
+  trace.end = arrival;
+  trace.view.emplace();
+  trace.view->sight = sight_of(world, arrival, trace.journey);
+  for (int i = 0;; ++i) {
+    ShadeOutput found;
+    shade(world.space, world.appearance, {&photon, 1}, {&arrival, 1}, found);
+    trace.view->gleams.push_back(light_of(world.space, found));
+    if (found.offspring.empty() || i == most_bounces) return trace;
+    photon = found.offspring.front();
+    arrival = go_on(world.space, photon, trace);
+  }
 }
 
 std::string name_of_met(const World& world, const Arrival& arrival) {
@@ -83,14 +151,12 @@ Json trace_json(const World& world, const Trace& trace, int most_bounces, PathOu
                {"turning", end.turning},
                {"crossings", crossings},
                {"steps", end.steps}};
-  if (most_bounces > 0) {
-    Json& bounces = json["bounces"] = Json::array();
-    for (const Arrival& bounce : trace.bounces)
-      bounces.push_back({{"object", name_or_null(name_of_met(world, bounce))},
-                         {"position", to_json(bounce.position)},
-                         {"direction", to_json(bounce.direction)},
-                         {"length", bounce.length},
-                         {"turning", bounce.turning}});
+  if (most_bounces > 0 || trace.view) json["bounces"] = bounces_json(world, trace);
+  if (trace.view) {
+    const Vec3d x = trace.start.position, t = trace.start.direction;
+    json["ray"] = {x.x, x.y, x.z, t.x, t.y, t.z};
+    json["light"] = to_json(sum_of(trace.view->gleams));
+    json["layers"] = layers_json(trace.view->sight);
   }
   if (path == PathOutput::included) {
     Json& stretches = json["path"] = Json::array();
@@ -106,9 +172,15 @@ std::string trace_text(const World& world, const Trace& trace, PathOutput path) 
   const Arrival& end = trace.end;
   const std::string name = name_of_met(world, end);
   std::string text;
-  for (const Arrival& bounce : trace.bounces)
-    text += fmt::format("bounce {} at {}; {}\n", name_of_met(world, bounce), place(bounce.position),
-                        length_and_turning(bounce.length, bounce.turning));
+  if (trace.view)
+    text += fmt::format("from {} towards {}\n", place(trace.start.position),
+                        place(trace.start.direction));
+  for (std::size_t i = 0; i < trace.bounces.size(); ++i) {
+    const Arrival& bounce = trace.bounces[i];
+    text += fmt::format("bounce {} at {}; {}{}\n", name_of_met(world, bounce),
+                        place(bounce.position), length_and_turning(bounce.length, bounce.turning),
+                        trace.view ? "; " + light_text(trace.view->gleams[i]) : "");
+  }
   text += fmt::format("{}{} at {} towards {}; {}; {} steps",
                       fate_names[static_cast<std::size_t>(end.fate)],
                       name.empty() ? "" : " " + name, place(end.position), place(end.direction),
@@ -116,6 +188,11 @@ std::string trace_text(const World& world, const Trace& trace, PathOutput path) 
   for (std::size_t i = 0; i < trace.journey.crossings.size(); ++i)
     text += (i == 0 ? "; through " : ", ") +
             world.space.portals.portals()[trace.journey.crossings[i]].name;
+  if (trace.view) {
+    text += "; " + light_text(trace.view->gleams.back());
+    if (trace.view->sight.order > 0)
+      text += fmt::format("; image of order {}", trace.view->sight.order);
+  }
   text += '\n';
   if (path == PathOutput::included)
     for (std::size_t i = 0; i < trace.journey.stretches.size(); ++i) {

@@ -2,35 +2,49 @@
 /// One photon for `portalens trace`, from its start to its fate, with mirrors on the way if asked.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/json.h"
 #include "photon/engine.h"
+#include "render/layers.h"
 #include "world/world.h"
 
 namespace portalens {
 
+/// What only a camera's photon has to tell.
+struct PixelView {
+  Sight sight;              ///< of its first surface: the values of the layers
+  std::vector<Rgb> gleams;  ///< light that reaches the film from each bounce, and from the end
+};
+
 struct Trace {
+  Photon start;
   /// The mirrors on the way. Lengths, turnings and steps, here and at the end, count from the
   /// start.
   std::vector<Arrival> bounces;
   Arrival end;
   Journey journey;
+  std::optional<PixelView> view;
 };
 
 /// Follows a photon to its end. The first `most_bounces` surfaces are taken for exact mirrors,
 /// whatever their material; masses, portals and the end are as always.
-/// @param direction  unit vector
-[[nodiscard]] Trace trace_ray(const World& world, Vec3d position, Vec3d direction,
-                              int most_bounces);
+[[nodiscard]] Trace trace_ray(const World& world, const Photon& start, int most_bounces);
+
+/// Follows a camera's photon as `render` does, from bounce to bounce as the materials mirror it,
+/// with the same directions and the same light.
+/// @param most_bounces  stops earlier than `shading.max_bounces` if it is less
+[[nodiscard]] Trace trace_pixel(const World& world, const Photon& start, int most_bounces);
 
 /// What the arrival met, as the scene names it; empty if nothing.
 [[nodiscard]] std::string name_of_met(const World& world, const Arrival& arrival);
 
 enum class PathOutput { omitted, included };
 
-/// The fields of scene-format.md, section 3. `bounces` is there if any were asked for.
+/// The fields of scene-format.md, section 3. `bounces` is there if any were asked for, or if it is
+/// a camera's photon, which also has `ray`, `light` and `layers`.
 [[nodiscard]] Json trace_json(const World& world, const Trace& trace, int most_bounces,
                               PathOutput path);
 

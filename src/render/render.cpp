@@ -1,11 +1,12 @@
 #include "render/render.h"
 
+#include <algorithm>
 #include <chrono>
 #include <mutex>
 #include <utility>
 
+#include "render/camera_photon.h"
 #include "render/parallel.h"
-#include "render/sampler.h"
 #include "render/wave.h"
 
 namespace portalens {
@@ -13,6 +14,16 @@ namespace {
 
 /// Camera photons that travel together at most.
 constexpr std::uint64_t most_in_wave = 8192;
+
+/// Sorts the samples, and leaves the first of each of the first few pixels.
+void keep_first(std::vector<PixelSample>& samples) {
+  std::sort(samples.begin(), samples.end());
+  const auto same_pixel = [](const PixelSample& a, const PixelSample& b) {
+    return a.x == b.x && a.y == b.y;
+  };
+  samples.erase(std::unique(samples.begin(), samples.end(), same_pixel), samples.end());
+  if (samples.size() > most_lost) samples.resize(most_lost);
+}
 
 /// Takes one tile. Its camera samples are numbered pixel by pixel, and travel in batches that may
 /// begin and end within a pixel.
@@ -28,8 +39,11 @@ class TileWork {
     for (std::uint64_t begin = 0; begin < total; begin += most_in_wave) {
       const std::uint64_t count = std::min(most_in_wave, total - begin);
       light_.assign(count, Rgb{});
+      lost_here_.clear();
       carry_light(world_.space, world_.appearance, camera_photons(begin, count), light_, engine_,
-                  tally_);
+                  tally_, &lost_here_);
+      for (const std::uint32_t i : lost_here_) lost_.push_back(place(begin + i));
+      keep_first(lost_);
       for (std::uint64_t i = 0; i < count; ++i) {
         sum += checked(light_[i]);
         if ((begin + i + 1) % per_pixel != 0) continue;
@@ -41,28 +55,26 @@ class TileWork {
     return tally_;
   }
 
+  [[nodiscard]] const std::vector<PixelSample>& lost() const { return lost_; }
+
  private:
   [[nodiscard]] std::pair<int, int> pixel(std::uint64_t index) const {
     const auto width = static_cast<std::uint64_t>(tile_.width());
     return {tile_.x0 + static_cast<int>(index % width), tile_.y0 + static_cast<int>(index / width)};
   }
 
-  [[nodiscard]] std::vector<Photon> camera_photons(std::uint64_t begin, std::uint64_t count) const {
+  /// The camera sample of that number.
+  [[nodiscard]] PixelSample place(std::uint64_t index) const {
     const auto per_pixel = static_cast<std::uint64_t>(world_.sampling.samples);
+    const auto [x, y] = pixel(index / per_pixel);
+    return {x, y, static_cast<std::uint32_t>(index % per_pixel)};
+  }
+
+  [[nodiscard]] std::vector<Photon> camera_photons(std::uint64_t begin, std::uint64_t count) const {
     std::vector<Photon> photons(count);
     for (std::uint64_t i = 0; i < count; ++i) {
-      const auto [x, y] = pixel((begin + i) / per_pixel);
-      const auto sample = static_cast<std::uint32_t>((begin + i) % per_pixel);
-      const PixelSampler sampler(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y),
-                                 static_cast<std::uint64_t>(world_.sampling.seed));
-      const auto [u, v] =
-          per_pixel == 1 ? std::array<double, 2>{0.5, 0.5} : sampler.position(sample);
-      const Ray ray = world_.camera.ray(x + u, y + v, world_.film.width, world_.film.height);
-      Photon& photon = photons[i];
-      photon.position = ray.origin;
-      photon.direction = ray.direction;
-      photon.sample = photon.slot = static_cast<std::uint32_t>(i);
-      photon.random_key = sampler.random_key(sample);
+      photons[i] = camera_photon(world_, place(begin + i));
+      photons[i].sample = photons[i].slot = static_cast<std::uint32_t>(i);
     }
     return photons;
   }
@@ -79,6 +91,8 @@ class TileWork {
   Engine engine_;
   Exposure& film_;
   std::vector<Rgb> light_;
+  std::vector<std::uint32_t> lost_here_;
+  std::vector<PixelSample> lost_;
   Tally tally_;
 };
 
@@ -97,9 +111,12 @@ RenderResult render(const World& world, const RenderOptions& options, Progress* 
   std::size_t done = 0;
   const auto work = [&](std::size_t i) {
     const Window tile = tiles[i];
-    const Tally tally = TileWork(world, tile, options.engine, film).take();
+    TileWork taking(world, tile, options.engine, film);
+    const Tally tally = taking.take();
     const std::lock_guard lock(guard);
     result.tally += tally;
+    result.lost.insert(result.lost.end(), taking.lost().begin(), taking.lost().end());
+    keep_first(result.lost);
     done += tile.pixels();
     if (progress) progress->advanced(done, result.window.pixels(), result.tally);
   };

@@ -4,9 +4,11 @@
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "core/image.h"
 #include "photon/engine.h"
+#include "render/camera_photon.h"
 #include "render/film.h"
 #include "render/tally.h"
 #include "world/world.h"
@@ -35,12 +37,17 @@ class Cancellation {
   [[nodiscard]] virtual bool requested() const = 0;
 };
 
+/// How many pixels with lost photons are remembered.
+inline constexpr std::size_t most_lost = 8;
+
 enum class Completion { complete, cancelled };
 
 struct RenderResult {
   Image image;  ///< of the window; linear R, G, B. Pixels not reached before a cancellation are 0
   Window window;
   Tally tally;
+  /// The first sample of which a photon was lost, of each of the first few such pixels.
+  std::vector<PixelSample> lost;
   double seconds = 0.0;  ///< of wall time
   Completion completion = Completion::complete;
 };

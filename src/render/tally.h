@@ -18,6 +18,10 @@ struct Tally {
   std::uint64_t not_finite = 0;      ///< samples whose light was not a number; shown as lost
   std::array<std::uint64_t, fate_count> fates{};  ///< of all photons, in the order of `Fate`
 
+  /// Seconds of all threads together: photons on their ways (field, surfaces, portals), shading,
+  /// and shadow queries.
+  double advancing = 0.0, shading = 0.0, shadowing = 0.0;
+
   void count(const Arrival& arrival) {
     ++photons;
     steps += arrival.steps;
@@ -31,6 +35,9 @@ struct Tally {
     steps += other.steps;
     crossings += other.crossings;
     not_finite += other.not_finite;
+    advancing += other.advancing;
+    shading += other.shading;
+    shadowing += other.shadowing;
     for (std::size_t i = 0; i < fates.size(); ++i) fates[i] += other.fates[i];
     return *this;
   }

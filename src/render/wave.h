@@ -4,7 +4,9 @@
 #pragma once
 
 #include <algorithm>
+#include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
@@ -15,12 +17,27 @@
 
 namespace portalens {
 
+/// Seconds of wall time between two looks.
+class Stopwatch {
+ public:
+  double lap() {
+    const auto now = Clock::now();
+    return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point last_ = Clock::now();
+};
+
 /// Adds to `light[photon.sample]` what each photon and its offspring find. A sample's light is
 /// added in order of wave, and within one first what its photon saw, then its shadow queries in
 /// their order; so its sum does not depend on which other photons travel along.
+/// @param lost  if given, gets the sample of each photon that is lost
 /// @pre every photon's sample < light.size(), and no two photons have the same
 inline void carry_light(const Space& space, const Appearance& appearance, std::vector<Photon> wave,
-                        std::span<Rgb> light, Engine engine, Tally& tally) {
+                        std::span<Rgb> light, Engine engine, Tally& tally,
+                        std::vector<std::uint32_t>* lost = nullptr) {
   constexpr std::size_t most_at_once = std::size_t{1} << 16;
   const std::size_t each = std::max<std::size_t>(1, most_shadow_queries(space, appearance));
   const std::size_t slice = std::max<std::size_t>(1, most_at_once / each);
@@ -31,20 +48,28 @@ inline void carry_light(const Space& space, const Appearance& appearance, std::v
   ShadeOutput found;
   while (!wave.empty()) {
     arrivals.assign(wave.size(), Arrival{});
+    Stopwatch watch;
     advance(space, wave, arrivals, engine);
+    tally.advancing += watch.lap();
     for (const Arrival& arrival : arrivals) tally.count(arrival);
+    if (lost)
+      for (std::size_t i = 0; i < wave.size(); ++i)
+        if (arrivals[i].fate == Fate::lost) lost->push_back(wave[i].sample);
 
     offspring.clear();
     for (std::size_t begin = 0; begin < wave.size(); begin += slice) {
       const std::size_t count = std::min(slice, wave.size() - begin);
+      watch.lap();
       found.light.clear();
       found.offspring.clear();
       found.shadows.clear();
       shade(space, appearance, std::span<const Photon>(wave).subspan(begin, count),
             std::span<const Arrival>(arrivals).subspan(begin, count), found);
+      tally.shading += watch.lap();
       for (const Gleam& gleam : found.light) light[gleam.sample] += gleam.radiance;
       for (const ShadowQuery& query : found.shadows)
         if (visible(space, query)) light[query.sample] += query.contribution;
+      tally.shadowing += watch.lap();
       tally.shadow_queries += found.shadows.size();
       offspring.insert(offspring.end(), found.offspring.begin(), found.offspring.end());
     }

@@ -1,0 +1,50 @@
+/// \file
+/// The photons that the camera sends: where each sample of a pixel begins.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <tuple>
+
+#include "photon/photon.h"
+#include "render/sampler.h"
+#include "world/world.h"
+
+namespace portalens {
+
+/// One camera sample; pixels are counted from the top left.
+struct PixelSample {
+  int x = 0, y = 0;
+  std::uint32_t sample = 0;
+
+  /// Row by row from the top left.
+  friend bool operator<(const PixelSample& a, const PixelSample& b) {
+    return std::tie(a.y, a.x, a.sample) < std::tie(b.y, b.x, b.sample);
+  }
+};
+
+/// The photon of that sample, as `render` sends it: through the pixel's centre if there is but one.
+/// `sample` and `slot` are left 0.
+[[nodiscard]] inline Photon camera_photon(const World& world, const PixelSample& at) {
+  const PixelSampler sampler(static_cast<std::uint32_t>(at.x), static_cast<std::uint32_t>(at.y),
+                             static_cast<std::uint64_t>(world.sampling.seed));
+  const auto [u, v] =
+      world.sampling.samples == 1 ? std::array<double, 2>{0.5, 0.5} : sampler.position(at.sample);
+  const Ray ray = world.camera.ray(at.x + u, at.y + v, world.film.width, world.film.height);
+  Photon photon;
+  photon.position = ray.origin;
+  photon.direction = ray.direction;
+  photon.random_key = sampler.random_key(at.sample);
+  return photon;
+}
+
+/// The photon through a pixel's centre, with the random numbers of its first sample.
+[[nodiscard]] inline Photon central_photon(const World& world, int x, int y) {
+  Photon photon = camera_photon(world, {x, y, 0});
+  const Ray ray = world.camera.ray(x + 0.5, y + 0.5, world.film.width, world.film.height);
+  photon.position = ray.origin;
+  photon.direction = ray.direction;
+  return photon;
+}
+
+}  // namespace portalens

@@ -1,0 +1,170 @@
+#include "render/layers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "render/camera_photon.h"
+#include "render/parallel.h"
+#include "shading/shading_point.h"
+
+namespace portalens {
+namespace {
+
+double angle_between(Vec3d a, Vec3d b) { return std::atan2(length(cross(a, b)), dot(a, b)); }
+
+/// Whole half turns about `center`, counted anew in each stretch: where nothing bends there are
+/// none, however many portals are crossed.
+double half_turns(Vec3d center, const Arrival& arrival, const Journey& journey) {
+  double turns = 0.0;
+  for (std::size_t s = 0; s < journey.stretches.size(); ++s) {
+    const std::vector<Vec3d>& stretch = journey.stretches[s];
+    double angle = 0.0;
+    for (std::size_t i = 1; i < stretch.size(); ++i)
+      angle += angle_between(stretch[i - 1] - center, stretch[i] - center);
+    if (s + 1 == journey.stretches.size() && arrival.fate == Fate::escaped)
+      angle += angle_between(arrival.position - center, arrival.direction);
+    turns += std::floor(angle / std::numbers::pi);
+  }
+  return turns;
+}
+
+std::uint32_t object_of(const World& world, const Arrival& arrival) {
+  const std::size_t bodies = world.appearance.bodies.size();
+  const std::size_t portals = world.space.portals.portals().size();
+  switch (arrival.met) {
+    case Met::nothing:
+      return 0;
+    case Met::surface:
+      return 1 + arrival.object;
+    case Met::portal_back:
+      return static_cast<std::uint32_t>(1 + bodies + arrival.object);
+    case Met::mass:
+      return static_cast<std::uint32_t>(1 + bodies + portals + arrival.object);
+  }
+  return 0;
+}
+
+std::vector<float> three(Vec3d v) {
+  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+std::vector<float> raw_values(const Sight& sight, Layer layer) {
+  switch (layer) {
+    case Layer::depth:
+      return {static_cast<float>(sight.depth)};
+    case Layer::normal:
+      return three(sight.normal);
+    case Layer::albedo:
+      return three(sight.albedo);
+    case Layer::object:
+      return {static_cast<float>(sight.object)};
+    case Layer::fate:
+      return {static_cast<float>(sight.fate)};
+    case Layer::steps:
+      return {static_cast<float>(sight.steps)};
+    case Layer::turning:
+      return {static_cast<float>(sight.turning)};
+    case Layer::crossings:
+      return {static_cast<float>(sight.crossings)};
+    case Layer::order:
+      return {static_cast<float>(sight.order)};
+    case Layer::position:
+      return three(sight.position);
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<std::string> channel_names(Layer layer) {
+  switch (layer) {
+    case Layer::depth:
+      return {"depth.Z"};
+    case Layer::normal:
+      return {"N.X", "N.Y", "N.Z"};
+    case Layer::albedo:
+      return {"albedo.R", "albedo.G", "albedo.B"};
+    case Layer::position:
+      return {"P.X", "P.Y", "P.Z"};
+    case Layer::object:
+    case Layer::fate:
+    case Layer::steps:
+    case Layer::turning:
+    case Layer::crossings:
+    case Layer::order:
+      break;
+  }
+  return {std::string(layer_names[static_cast<std::size_t>(layer)]) + ".X"};
+}
+
+std::vector<float> channel_values(const Sight& sight, Layer layer) {
+  std::vector<float> values = raw_values(sight, layer);
+  for (float& value : values)
+    if (!std::isfinite(value)) value = 0.0f;
+  return values;
+}
+
+std::uint32_t image_order(std::span<const Mass> masses, const Arrival& arrival,
+                          const Journey& journey) {
+  double most = 0.0;
+  for (const Mass& mass : masses)
+    if (mass.gm > 0.0) most = std::max(most, half_turns(mass.center, arrival, journey));
+  return std::isfinite(most) ? static_cast<std::uint32_t>(most) : 0;
+}
+
+Sight sight_of(const World& world, const Arrival& arrival, const Journey& journey) {
+  Sight sight;
+  if (arrival.fate == Fate::hit || arrival.fate == Fate::absorbed) sight.depth = arrival.length;
+  if (arrival.fate == Fate::hit) {
+    const ShadingPoint point = shading_point(world.space, world.appearance, arrival);
+    sight.normal = point.normal;
+    sight.albedo = color_at(world.appearance.materials[point.material].diffuse, point.surface);
+  }
+  sight.object = object_of(world, arrival);
+  sight.fate = arrival.fate;
+  sight.steps = arrival.steps;
+  sight.turning = arrival.turning;
+  sight.crossings = arrival.crossings;
+  sight.order = image_order(world.space.masses, arrival, journey);
+  sight.position = arrival.position;
+  return sight;
+}
+
+std::vector<std::string> object_names(const World& world) {
+  std::vector<std::string> names;
+  for (const Body& body : world.appearance.bodies) names.push_back(body.name);
+  for (const Portal& portal : world.space.portals.portals()) names.push_back(portal.name);
+  for (const Mass& mass : world.space.masses) names.push_back(mass.name);
+  return names;
+}
+
+std::optional<std::vector<Channel>> take_layers(const World& world, const Window& window,
+                                                std::span<const Layer> layers, int threads,
+                                                const Cancellation* cancellation) {
+  std::vector<Channel> channels;
+  for (const Layer layer : layers)
+    for (std::string& name : channel_names(layer))
+      channels.push_back({std::move(name), std::vector<float>(window.pixels())});
+
+  const auto row = [&](std::size_t y) {
+    for (int x = 0; x < window.width(); ++x) {
+      Journey journey;
+      const Photon photon =
+          camera_photon(world, {window.x0 + x, window.y0 + static_cast<int>(y), 0});
+      const Arrival arrival = advance_recorded(world.space, photon, journey);
+      const Sight sight = sight_of(world, arrival, journey);
+      std::size_t channel = 0;
+      for (const Layer layer : layers)
+        for (const float value : channel_values(sight, layer))
+          channels[channel++].values[y * static_cast<std::size_t>(window.width()) + x] = value;
+    }
+  };
+  const auto stop = [&] { return cancellation && cancellation->requested(); };
+  const bool all = parallel_for(static_cast<std::size_t>(window.height()),
+                                threads > 0 ? threads : available_threads(), row, stop);
+  if (!all) return std::nullopt;
+  return channels;
+}
+
+}  // namespace portalens
