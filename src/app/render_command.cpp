@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 #include <map>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -15,8 +17,10 @@
 #include "app/progress_bar.h"
 #include "app/report.h"
 #include "app/scene_options.h"
+#include "app/shell_word.h"
 #include "io/image.h"
 #include "io/read_scene.h"
+#include "render/layers.h"
 #include "render/render.h"
 
 namespace portalens {
@@ -27,6 +31,7 @@ struct RenderArguments {
   std::optional<std::filesystem::path> output;
   std::vector<std::pair<std::string, std::string>> overrides;  ///< key and value of --width, ...
   std::vector<int> crop;
+  std::vector<std::string> layers;
   RenderOptions options;
   bool quiet = false, statistics = false, json = false;
 };
@@ -64,13 +69,60 @@ std::vector<Channel> channels_of(const Image& image) {
   return channels;
 }
 
-RenderResult take_picture(const World& world, const RenderArguments& arguments) {
+/// The layers that --layers asks for, each once, in the order of `Layer`.
+std::vector<Layer> asked_layers(const std::vector<std::string>& names) {
+  std::vector<Layer> layers;
+  for (int i = 0; i < layer_count; ++i)
+    if (std::any_of(names.begin(), names.end(),
+                    [&](const std::string& name) { return name == layer_names[i]; }))
+      layers.push_back(static_cast<Layer>(i));
+  return layers;
+}
+
+/// A picture with its layers.
+struct Taken {
+  RenderResult result;
+  std::vector<Channel> channels;
+};
+
+Taken take_picture(const World& world, const RenderArguments& arguments) {
   RenderOptions options = arguments.options;
   if (!arguments.crop.empty()) options.crop = checked_crop(arguments.crop, world.film);
   const InterruptRequest interrupt;
   std::optional<ProgressBar> bar;
   if (!arguments.quiet && errors_go_to_a_terminal()) bar.emplace();
-  return render(world, options, bar ? &*bar : nullptr, &interrupt);
+  Taken taken;
+  taken.result = render(world, options, bar ? &*bar : nullptr, &interrupt);
+  bar.reset();
+  taken.channels = channels_of(taken.result.image);
+  const std::vector<Layer> layers = asked_layers(arguments.layers);
+  if (layers.empty() || taken.result.completion == Completion::cancelled) return taken;
+  if (auto more =
+          take_layers(world, taken.result.window, layers, arguments.options.threads, &interrupt))
+    std::move(more->begin(), more->end(), std::back_inserter(taken.channels));
+  else
+    taken.result.completion = Completion::cancelled;
+  return taken;
+}
+
+/// The scene with everything that was changed in it, to be put after `portalens trace`.
+std::string scene_words(const RenderArguments& arguments) {
+  std::string words = shell_word(arguments.scene.file.string());
+  for (const std::string& setting : arguments.scene.settings)
+    words += " --set " + shell_word(setting);
+  for (const auto& [key, value] : arguments.overrides) words += " --set " + key + "=" + value;
+  if (arguments.scene.allow_outside_files) words += " --allow-outside-files";
+  return words;
+}
+
+/// The objects' numbers in the layer `object`, a line each; those of large scenes are cut.
+std::string object_list(const World& world) {
+  constexpr std::size_t most = 1000;
+  const std::vector<std::string> names = object_names(world);
+  std::string list;
+  for (std::size_t i = 0; i < std::min(most, names.size()); ++i)
+    list += fmt::format("{} {}\n", i + 1, names[i]);
+  return list;
 }
 
 void tell(const World& world, const RenderResult& result, const std::filesystem::path& picture,
@@ -81,7 +133,7 @@ void tell(const World& world, const RenderResult& result, const std::filesystem:
     std::cout << fmt::format("{}: {} x {}, {} samples a pixel, {:.2f} s; {}\n", picture.string(),
                              result.window.width(), result.window.height(), world.sampling.samples,
                              result.seconds, fates_text(result.tally));
-    if (arguments.statistics) std::cout << statistics_text(result);
+    if (arguments.statistics) std::cout << statistics_text(result, scene_words(arguments));
   }
   if (!arguments.quiet) std::cerr << complaint(result.tally);
 }
@@ -96,8 +148,12 @@ int render_scene(const RenderArguments& arguments) {
   std::filesystem::path picture =
       arguments.output.value_or(arguments.scene.file.stem().string() + ".png");
   check_writable(picture);
+  if (!arguments.layers.empty() && picture.extension() != ".exr")
+    throw SceneError({{Location{}, "--layers: " + picture.string() + " can't hold layers",
+                       "name an .exr file with -o"}});
   const World world = compile_with_options(scene, arguments.scene);
-  const RenderResult result = take_picture(world, arguments);
+  const Taken taken = take_picture(world, arguments);
+  const RenderResult& result = taken.result;
 
   const bool complete = result.completion == Completion::complete;
   if (!complete) {
@@ -108,8 +164,9 @@ int render_scene(const RenderArguments& arguments) {
     picture = unfinished(picture);
     std::cerr << "interrupted; what stands is in " << picture.string() << '\n';
   }
-  write_image(picture, result.window.width(), result.window.height(), channels_of(result.image),
-              picture_metadata(world, result));
+  Metadata metadata = picture_metadata(world, result);
+  if (!arguments.layers.empty()) metadata.emplace_back("portalens:objects", object_list(world));
+  write_image(picture, result.window.width(), result.window.height(), taken.channels, metadata);
   tell(world, result, picture, arguments);
   return complete ? exit_done : exit_interrupted;
 }
@@ -151,6 +208,13 @@ void add_render_command(CLI::App& program, Command& chosen) {
                   "Take only the pixels X0 <= x < X1, Y0 <= y < Y1, from the top left")
       ->expected(4)
       ->type_name("X0 Y0 X1 Y1");
+  command
+      .add_option("--layers", arguments->layers,
+                  "Write these, too, beside the picture's R, G, B (an .exr file): " +
+                      fmt::format("{}", fmt::join(layer_names, ",")))
+      ->delimiter(',')
+      ->check(CLI::IsMember(std::vector<std::string>(layer_names.begin(), layer_names.end())))
+      ->type_name("NAME,...");
   command
       .add_option("--tile", arguments->options.tile_size,
                   "Pixels along the side of the squares that threads work on")

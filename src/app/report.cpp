@@ -19,6 +19,21 @@ std::uint64_t count_of(const Tally& tally, Fate fate) {
   return tally.fates[static_cast<std::size_t>(fate)];
 }
 
+/// How the threads' time divides; what they do besides is small.
+std::string time_shares(const Tally& tally) {
+  const double whole = tally.advancing + tally.shading + tally.shadowing;
+  const auto percent = [&](double part) { return whole > 0.0 ? 100.0 * part / whole : 0.0; };
+  return fmt::format("{:.1f} % field and surfaces, {:.1f} % shading, {:.1f} % shadow rays",
+                     percent(tally.advancing), percent(tally.shading), percent(tally.shadowing));
+}
+
+Json lost_json(const RenderResult& result) {
+  Json list = Json::array();
+  for (const PixelSample& at : result.lost)
+    list.push_back({{"pixel", {at.x, at.y}}, {"sample", at.sample}});
+  return list;
+}
+
 }  // namespace
 
 std::string fates_text(const Tally& tally) {
@@ -33,7 +48,7 @@ std::string fates_text(const Tally& tally) {
   return text;
 }
 
-std::string statistics_text(const RenderResult& result) {
+std::string statistics_text(const RenderResult& result, const std::string& scene) {
   const Tally& tally = result.tally;
   const auto photons = static_cast<double>(tally.photons);
   std::string text;
@@ -49,9 +64,14 @@ std::string statistics_text(const RenderResult& result) {
   line("crossings", fmt::format("{}", tally.crossings));
   line("shadow queries", fmt::format("{}", tally.shadow_queries));
   line("time", fmt::format("{:.2f} s", result.seconds));
+  line("of it", time_shares(tally));
   line("rate",
        fmt::format("{} photons/s, {} steps/s", rounded_count(per(tally.photons, result.seconds)),
                    rounded_count(per(tally.steps, result.seconds))));
+  if (!result.lost.empty()) line("lost first", "");
+  for (const PixelSample& at : result.lost)
+    text += fmt::format("    portalens trace {} --pixel {} {} --sample {}\n", scene, at.x, at.y,
+                        at.sample);
   return text;
 }
 
@@ -60,21 +80,25 @@ Json statistics_json(const World& world, const RenderResult& result,
   const Tally& tally = result.tally;
   Json fates = Json::object();
   for (int i = 0; i < fate_count; ++i) fates[std::string(fate_names[i])] = tally.fates[i];
-  return {{"picture", picture.string()},
-          {"complete", result.completion == Completion::complete},
-          {"width", result.window.width()},
-          {"height", result.window.height()},
-          {"samples_per_pixel", world.sampling.samples},
-          {"samples", tally.samples},
-          {"photons", tally.photons},
-          {"fates", fates},
-          {"not_finite", tally.not_finite},
-          {"steps", tally.steps},
-          {"steps_per_photon", per(tally.steps, static_cast<double>(tally.photons))},
-          {"crossings", tally.crossings},
-          {"shadow_queries", tally.shadow_queries},
-          {"seconds", result.seconds},
-          {"photons_per_second", per(tally.photons, result.seconds)}};
+  return {
+      {"picture", picture.string()},
+      {"complete", result.completion == Completion::complete},
+      {"width", result.window.width()},
+      {"height", result.window.height()},
+      {"samples_per_pixel", world.sampling.samples},
+      {"samples", tally.samples},
+      {"photons", tally.photons},
+      {"fates", fates},
+      {"not_finite", tally.not_finite},
+      {"steps", tally.steps},
+      {"steps_per_photon", per(tally.steps, static_cast<double>(tally.photons))},
+      {"crossings", tally.crossings},
+      {"shadow_queries", tally.shadow_queries},
+      {"lost_first", lost_json(result)},
+      {"seconds", result.seconds},
+      {"thread_seconds",
+       {{"advance", tally.advancing}, {"shading", tally.shading}, {"shadows", tally.shadowing}}},
+      {"photons_per_second", per(tally.photons, result.seconds)}};
 }
 
 Metadata picture_metadata(const World& world, const RenderResult& result) {

@@ -14,8 +14,10 @@ namespace portalens {
 /// "98.20 % hit, 1.80 % escaped": the shares of all photons, without those that are 0.
 [[nodiscard]] std::string fates_text(const Tally& tally);
 
-/// What `--stats` prints: several lines.
-[[nodiscard]] std::string statistics_text(const RenderResult& result);
+/// What `--stats` prints: several lines, and a command for each of the first samples that lost a
+/// photon.
+/// @param scene  the scene and its settings, as words of a command line
+[[nodiscard]] std::string statistics_text(const RenderResult& result, const std::string& scene);
 
 /// What `--json` prints.
 [[nodiscard]] Json statistics_json(const World& world, const RenderResult& result,

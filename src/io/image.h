@@ -25,6 +25,17 @@ struct Channel {
   std::vector<float> values;
 };
 
+/// A picture with every channel that its file has, under the file's names.
+struct ChannelPicture {
+  int width = 0, height = 0;
+  std::vector<Channel> channels;
+};
+
+/// All channels as they stand in the file: nothing is made linear, and values need not be finite.
+/// Otherwise as `read_image`; a picture may hold as many numbers as the largest of three channels.
+[[nodiscard]] std::optional<ChannelPicture> read_channels(const std::filesystem::path& file,
+                                                          const Location& asked_at, Faults& faults);
+
 using Metadata = std::vector<std::pair<std::string, std::string>>;
 
 /// Writes the channels (all of width × height) as the suffix says: `.exr` float, linear, with the

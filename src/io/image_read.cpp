@@ -66,7 +66,7 @@ void check_header(const OIIO::ImageSpec& spec) {
   }
 }
 
-void read_channels(OIIO::ImageInput& input, int begin, int end, float* target) {
+void read_planes(OIIO::ImageInput& input, int begin, int end, float* target) {
   if (!input.read_image(0, 0, begin, end, OIIO::TypeDesc::FLOAT, target)) {
     throw Refusal{"is broken: " + input.geterror(), "save it again"};
   }
@@ -79,13 +79,13 @@ Image color_of(OIIO::ImageInput& input) {
   Image image(spec.width, spec.height, 3);
   const std::array<int, 3> channels = color_channels(spec);
   if (channels[1] == channels[0] + 1 && channels[2] == channels[0] + 2) {
-    read_channels(input, channels[0], channels[0] + 3, image.pixels.data());
+    read_planes(input, channels[0], channels[0] + 3, image.pixels.data());
     return image;
   }
   std::vector<float> plane(image.pixels.size() / 3);
   for (std::size_t c = 0; c < 3; ++c) {
     if (c == 0 || channels[c] != channels[c - 1]) {
-      read_channels(input, channels[c], channels[c] + 1, plane.data());
+      read_planes(input, channels[c], channels[c] + 1, plane.data());
     }
     for (std::size_t i = 0; i < plane.size(); ++i) image.pixels[3 * i + c] = plane[i];
   }
@@ -102,7 +102,24 @@ void check_finite(const Image& image) {
                 "give every pixel a number"};
 }
 
-Image decode(const std::string& bytes, ImageFormat format) {
+ChannelPicture all_channels_of(OIIO::ImageInput& input) {
+  const OIIO::ImageSpec spec = input.spec();
+  check_header(spec);
+  if (std::int64_t{spec.width} * spec.height * spec.nchannels > 3 * most_pixels)
+    throw Refusal{"has " + std::to_string(spec.nchannels) + " channels", "use a smaller one"};
+  ChannelPicture picture{spec.width, spec.height, {}};
+  const auto pixels = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
+  for (int c = 0; c < spec.nchannels; ++c) {
+    Channel& channel = picture.channels.emplace_back(
+        Channel{spec.channelnames[static_cast<std::size_t>(c)], std::vector<float>(pixels)});
+    read_planes(input, c, c + 1, channel.values.data());
+  }
+  return picture;
+}
+
+/// Opens a picture that lies in memory, and hands it to `take`.
+template <class Take>
+auto opened(const std::string& bytes, ImageFormat format, const Take& take) {
   OIIO::Filesystem::IOMemReader reader(bytes.data(), bytes.size());
   const auto input = OIIO::ImageInput::create(name_of(format), false);
   if (!input || !input->supports("ioproxy") || !input->set_ioproxy(&reader)) {
@@ -114,7 +131,11 @@ Image decode(const std::string& bytes, ImageFormat format) {
   if (!input->open(name_of(format), spec, wishes)) {
     throw Refusal{"is broken: " + input->geterror(), "save it again"};
   }
-  Image image = color_of(*input);
+  return take(*input);
+}
+
+Image decode(const std::string& bytes, ImageFormat format) {
+  Image image = opened(bytes, format, color_of);
   check_finite(image);
   if (format == ImageFormat::png || format == ImageFormat::jpeg) {
     for (float& value : image.pixels) value = linear_from_srgb(value);
@@ -122,10 +143,11 @@ Image decode(const std::string& bytes, ImageFormat format) {
   return image;
 }
 
-}  // namespace
-
-std::optional<Image> read_image(const std::filesystem::path& file, const Location& asked_at,
-                                Faults& faults) {
+/// Reads a file, and gives what `decoded` makes of its bytes; faults are added where it can't.
+template <class Decoded>
+auto read_picture(const std::filesystem::path& file, const Location& asked_at, Faults& faults,
+                  const Decoded& decoded)
+    -> std::optional<decltype(decoded(std::string{}, ImageFormat{}))> {
   auto bytes = read_file(file, most_bytes, asked_at, faults);
   if (!bytes) return std::nullopt;
   const std::string name = "the picture " + file.filename().string() + " ";
@@ -135,7 +157,7 @@ std::optional<Image> read_image(const std::filesystem::path& file, const Locatio
     return std::nullopt;
   }
   try {
-    return decode(without_descriptions(std::move(*bytes), *format), *format);
+    return decoded(without_descriptions(std::move(*bytes), *format), *format);
   } catch (const Refusal& refusal) {
     faults.add(asked_at, name + refusal.problem, refusal.remedy);
   } catch (const std::bad_alloc&) {
@@ -144,6 +166,20 @@ std::optional<Image> read_image(const std::filesystem::path& file, const Locatio
     faults.add(asked_at, name + "is broken: " + error.what(), "save it again");
   }
   return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Image> read_image(const std::filesystem::path& file, const Location& asked_at,
+                                Faults& faults) {
+  return read_picture(file, asked_at, faults, decode);
+}
+
+std::optional<ChannelPicture> read_channels(const std::filesystem::path& file,
+                                            const Location& asked_at, Faults& faults) {
+  return read_picture(file, asked_at, faults, [](const std::string& bytes, ImageFormat format) {
+    return opened(bytes, format, all_channels_of);
+  });
 }
 
 }  // namespace portalens
