@@ -7,15 +7,18 @@
 #include <fstream>
 #include <iostream>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "app/command.h"
+#include "app/path_export.h"
 #include "app/read_rays.h"
 #include "app/scene_options.h"
 #include "app/trace_ray.h"
+#include "io/polylines.h"
 #include "render/camera_photon.h"
 #include "render/parallel.h"
 
@@ -26,12 +29,15 @@ struct TraceArguments {
   SceneOptions scene;
   std::vector<double> ray;
   std::string rays_file;
-  std::vector<std::pair<int, int>> pixels;
+  std::vector<int> pixels;  ///< x and y in turn
   std::optional<std::uint32_t> sample;
   std::optional<int> bounces;
   int threads = 0;
   bool json = false;
   bool path = false;
+  std::filesystem::path output;
+  PathColor color = PathColor::fate;
+  PlanView view = PlanView::top;
 };
 
 /// Photons traced between two looks at the output, so that a long list shows its answers early.
@@ -61,7 +67,8 @@ std::vector<Photon> camera_photons(const World& world, const TraceArguments& arg
     faults.add({}, fmt::format("--sample {}: a pixel has no such sample", *arguments.sample),
                fmt::format("0 to {} are there (sampler.samples)", world.sampling.samples - 1));
   std::vector<Photon> photons;
-  for (const auto& [x, y] : arguments.pixels) {
+  for (std::size_t i = 0; i + 1 < arguments.pixels.size(); i += 2) {
+    const int x = arguments.pixels[i], y = arguments.pixels[i + 1];
     if (x < 0 || y < 0 || x >= film.width || y >= film.height)
       faults.add({}, fmt::format("--pixel {} {} is no pixel of the picture", x, y),
                  fmt::format("0 <= X < {} and 0 <= Y < {} are needed; (0, 0) is top left",
@@ -96,22 +103,30 @@ int trace_photons(const TraceArguments& arguments) {
   const Scene scene = read_with_settings(arguments.scene);
   const World world = compile_with_options(scene, arguments.scene);
   const std::vector<Photon> photons = photons_of(world, arguments);
+  const bool exported = !arguments.output.empty();
+  if (exported) check_paths_writable(arguments.output);
+  PathExport ways(world, arguments.color);
   const PathOutput path = arguments.path ? PathOutput::included : PathOutput::omitted;
   const int threads = arguments.threads > 0 ? arguments.threads : available_threads();
 
   std::vector<std::string> answers;
+  std::vector<Trace> traces;
   for (std::size_t begin = 0; begin < photons.size() && std::cout; begin += photons_at_once) {
     answers.assign(std::min(photons_at_once, photons.size() - begin), std::string{});
+    traces.assign(exported ? answers.size() : 0, Trace{});
     const auto work = [&](std::size_t i) {
-      const Trace trace = traced(world, photons[begin + i], arguments);
+      Trace trace = traced(world, photons[begin + i], arguments);
       answers[i] =
           arguments.json
               ? json_line(trace_json(world, trace, arguments.bounces.value_or(0), path)) + '\n'
               : trace_text(world, trace, path);
+      if (exported) traces[i] = std::move(trace);
     };
     parallel_for(answers.size(), threads, work, [] { return false; });
     for (const std::string& answer : answers) std::cout << answer;
+    for (const Trace& trace : traces) ways.add(trace);
   }
+  if (exported) write_paths(arguments.output, std::move(ways).release(), arguments.view);
   return exit_done;
 }
 
@@ -136,6 +151,7 @@ void add_trace_command(CLI::App& program, Command& chosen) {
           .add_option("--pixel", arguments->pixels,
                       "The camera's photon through the centre of a pixel, counted from the top "
                       "left, and on from mirror to mirror as the picture has it; may be repeated")
+          ->type_size(2)
           ->type_name("X Y")
           ->excludes(ray)
           ->excludes(rays);
@@ -156,10 +172,29 @@ void add_trace_command(CLI::App& program, Command& chosen) {
       ->check(CLI::Range(1, 1024));
   command.add_flag("--path", arguments->path, "Print the points of the way, too");
   command.add_flag("--json", arguments->json, "Print one JSON object a photon, each on its line");
+  CLI::Option* output =
+      command
+          .add_option("-o,--output", arguments->output,
+                      "Write the ways, too: .obj, .ply, .gltf (coloured, with portals and masses), "
+                      ".csv, .svg (a plan)")
+          ->type_name("FILE");
+  command
+      .add_option("--color", arguments->color,
+                  "Colour the ways by how their photons end, or by how sharply they turn")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, PathColor>{
+          {"fate", PathColor::fate}, {"turning", PathColor::turning}}))
+      ->needs(output)
+      ->type_name("fate|turning");
+  command.add_option("--plan", arguments->view, "From where an .svg looks at the scene")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, PlanView>{
+          {"top", PlanView::top}, {"front", PlanView::front}, {"side", PlanView::side}}))
+      ->needs(output)
+      ->type_name("top|front|side");
   command.footer(R"(
 Examples:
   portalens trace scene.toml --ray 0 1 5  0 0 -1
   portalens trace scene.toml --pixel 320 180
+  portalens trace scene.toml --pixel 320 180 -o way.gltf
   portalens trace scene.toml --rays rays.txt --json --path > ways.jsonl)");
   command.callback([arguments, ray, rays, pixels, &chosen] {
     if (ray->count() + rays->count() + pixels->count() == 0)

@@ -1,0 +1,36 @@
+/// \file
+/// From traced photons to a picture of their ways that other programs open.
+#pragma once
+
+#include "app/trace_ray.h"
+#include "io/polylines.h"
+#include "world/world.h"
+
+namespace portalens {
+
+/// What the colour of a way tells: how the photon ended, or how sharply it turns there.
+enum class PathColor { fate, turning };
+
+/// Collects ways. Colours by turning are chosen when all are known: blue where a way is straight,
+/// over white to red where it turns most (on a logarithmic scale, over three powers of ten).
+class PathExport {
+ public:
+  PathExport(const World& world, PathColor color) : world_(world), color_(color) {}
+
+  /// Adds the next photon. One that escapes goes on straight for a while.
+  void add(const Trace& trace);
+
+  /// The ways, the portals (each pair in two colours), and the masses: balls of the size of their
+  /// horizon, or of their core.
+  [[nodiscard]] PathPicture release() &&;
+
+ private:
+  void color_by_turning();
+
+  const World& world_;
+  PathColor color_;
+  std::size_t photons_ = 0;
+  PathPicture picture_;
+};
+
+}  // namespace portalens
