@@ -25,5 +25,6 @@ using Command = std::function<int()>;
 void add_render_command(CLI::App& program, Command& chosen);
 void add_check_command(CLI::App& program, Command& chosen);
 void add_trace_command(CLI::App& program, Command& chosen);
+void add_image_command(CLI::App& program, Command& chosen);
 
 }  // namespace portalens

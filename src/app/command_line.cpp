@@ -40,6 +40,7 @@ int run_command_line(std::vector<std::string> arguments) {
   add_render_command(program, chosen);
   add_check_command(program, chosen);
   add_trace_command(program, chosen);
+  add_image_command(program, chosen);
 
   spell_out_negative_fractions(arguments);
   std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them
