@@ -13,6 +13,8 @@
 #include <vector>
 
 #include "app/command.h"
+#include "app/display_server.h"
+#include "app/false_color.h"
 #include "app/interrupt.h"
 #include "app/progress_bar.h"
 #include "app/report.h"
@@ -32,6 +34,7 @@ struct RenderArguments {
   std::vector<std::pair<std::string, std::string>> overrides;  ///< key and value of --width, ...
   std::vector<int> crop;
   std::vector<std::string> layers;
+  std::optional<std::string> display_server;
   RenderOptions options;
   bool quiet = false, statistics = false, json = false;
 };
@@ -58,17 +61,6 @@ std::filesystem::path unfinished(const std::filesystem::path& picture) {
   return picture.parent_path() / name;
 }
 
-std::vector<Channel> channels_of(const Image& image) {
-  std::vector<Channel> channels = {{"R", {}}, {"G", {}}, {"B", {}}};
-  for (int channel = 0; channel < 3; ++channel) {
-    std::vector<float>& values = channels[channel].values;
-    values.reserve(image.pixels.size() / 3);
-    for (std::size_t i = channel; i < image.pixels.size(); i += 3)
-      values.push_back(image.pixels[i]);
-  }
-  return channels;
-}
-
 /// The layers that --layers asks for, each once, in the order of `Layer`.
 std::vector<Layer> asked_layers(const std::vector<std::string>& names) {
   std::vector<Layer> layers;
@@ -79,22 +71,53 @@ std::vector<Layer> asked_layers(const std::vector<std::string>& names) {
   return layers;
 }
 
+/// All who want to know how far the picture is.
+class Watchers : public Progress {
+ public:
+  Watchers(const RenderArguments& arguments, const std::filesystem::path& picture,
+           const Window& window) {
+    if (arguments.display_server)
+      server_.emplace(display_address(*arguments.display_server), picture.string(), window);
+    if (!arguments.quiet && errors_go_to_a_terminal()) bar_.emplace();
+  }
+  void advanced(std::size_t done, std::size_t total, const Tally& tally) override {
+    if (bar_) bar_->advanced(done, total, tally);
+  }
+  void tile_taken(const Window& tile, const Image& film, const Window& window) override {
+    if (server_) server_->tile_taken(tile, film, window);
+  }
+  [[nodiscard]] bool server_went_away() const { return server_ && !server_->connected(); }
+
+ private:
+  std::optional<DisplayServer> server_;
+  std::optional<ProgressBar> bar_;
+};
+
 /// A picture with its layers.
 struct Taken {
   RenderResult result;
   std::vector<Channel> channels;
 };
 
-Taken take_picture(const World& world, const RenderArguments& arguments) {
+RenderResult take_light(const World& world, const RenderArguments& arguments,
+                        const RenderOptions& options, const std::filesystem::path& picture,
+                        const Cancellation& interrupt) {
+  const Window whole{0, 0, world.film.width, world.film.height};
+  Watchers watchers(arguments, picture, options.crop.value_or(whole));
+  RenderResult result = render(world, options, &watchers, &interrupt);
+  if (watchers.server_went_away() && !arguments.quiet)
+    std::cerr << "note: the display server went away; the picture went on without it\n";
+  return result;
+}
+
+Taken take_picture(const World& world, const RenderArguments& arguments,
+                   const std::filesystem::path& picture) {
   RenderOptions options = arguments.options;
   if (!arguments.crop.empty()) options.crop = checked_crop(arguments.crop, world.film);
   const InterruptRequest interrupt;
-  std::optional<ProgressBar> bar;
-  if (!arguments.quiet && errors_go_to_a_terminal()) bar.emplace();
   Taken taken;
-  taken.result = render(world, options, bar ? &*bar : nullptr, &interrupt);
-  bar.reset();
-  taken.channels = channels_of(taken.result.image);
+  taken.result = take_light(world, arguments, options, picture, interrupt);
+  taken.channels = color_channels(taken.result.image);
   const std::vector<Layer> layers = asked_layers(arguments.layers);
   if (layers.empty() || taken.result.completion == Completion::cancelled) return taken;
   if (auto more =
@@ -152,7 +175,7 @@ int render_scene(const RenderArguments& arguments) {
     throw SceneError({{Location{}, "--layers: " + picture.string() + " can't hold layers",
                        "name an .exr file with -o"}});
   const World world = compile_with_options(scene, arguments.scene);
-  const Taken taken = take_picture(world, arguments);
+  const Taken taken = take_picture(world, arguments, picture);
   const RenderResult& result = taken.result;
 
   const bool complete = result.completion == Completion::complete;
@@ -215,6 +238,11 @@ void add_render_command(CLI::App& program, Command& chosen) {
       ->delimiter(',')
       ->check(CLI::IsMember(std::vector<std::string>(layer_names.begin(), layer_names.end())))
       ->type_name("NAME,...");
+  command
+      .add_option("--display-server", arguments->display_server,
+                  "Show the picture in progress in tev, which listens at 127.0.0.1:14158; what is "
+                  "left out of HOST:PORT is that")
+      ->type_name("HOST:PORT");
   command
       .add_option("--tile", arguments->options.tile_size,
                   "Pixels along the side of the squares that threads work on")

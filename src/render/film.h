@@ -58,6 +58,8 @@ class Exposure {
     pixel[1] = static_cast<float>(radiance.y);
     pixel[2] = static_cast<float>(radiance.z);
   }
+  /// The picture of the window so far.
+  [[nodiscard]] const Image& image() const { return image_; }
   [[nodiscard]] Image release() && { return std::move(image_); }
 
  private:

@@ -118,7 +118,9 @@ RenderResult render(const World& world, const RenderOptions& options, Progress* 
     result.lost.insert(result.lost.end(), taking.lost().begin(), taking.lost().end());
     keep_first(result.lost);
     done += tile.pixels();
-    if (progress) progress->advanced(done, result.window.pixels(), result.tally);
+    if (!progress) return;
+    progress->tile_taken(tile, film.image(), result.window);
+    progress->advanced(done, result.window.pixels(), result.tally);
   };
   const auto stop = [&] { return cancellation && cancellation->requested(); };
   const bool all = parallel_for(tiles.count(), threads, work, stop);

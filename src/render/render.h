@@ -28,6 +28,9 @@ class Progress {
   virtual ~Progress() = default;
   /// `done` of `total` pixels stand, which took so many photons.
   virtual void advanced(std::size_t done, std::size_t total, const Tally& tally) = 0;
+  /// A tile stands in the picture of `window`; of the other pixels nothing may be read.
+  virtual void tile_taken(const Window& /*tile*/, const Image& /*film*/, const Window& /*window*/) {
+  }
 };
 
 /// Asked often, by all threads at once.
