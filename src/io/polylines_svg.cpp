@@ -12,6 +12,9 @@
 namespace portalens {
 namespace {
 
+/// Units along the longer side of what is shown.
+constexpr double page_size = 1000.0;
+
 struct Place {
   double x = 0.0, y = 0.0;
 };
@@ -62,10 +65,11 @@ class PageFrame {
     empty_ = false;
   }
   [[nodiscard]] double side() const { return std::max({high_.x - low_.x, high_.y - low_.y, 1e-9}); }
-  [[nodiscard]] std::string view_box() const {
-    const double margin = 0.05 * side();
-    return fmt::format("{:.9g} {:.9g} {:.9g} {:.9g}", low_.x - margin, low_.y - margin,
-                       high_.x - low_.x + 2 * margin, high_.y - low_.y + 2 * margin);
+  [[nodiscard]] std::string view_box(double scale) const {
+    const double margin = 0.1 * side();
+    return fmt::format("{:.9g} {:.9g} {:.9g} {:.9g}", scale * (low_.x - margin),
+                       scale * (low_.y - margin), scale * (high_.x - low_.x + 2 * margin),
+                       scale * (high_.y - low_.y + 2 * margin));
   }
 
  private:
@@ -76,8 +80,12 @@ class PageFrame {
 class Plan {
  public:
   Plan(const PathPicture& picture, PlanView view) : picture_(picture), view_(view) {
-    for (const PathLine& line : picture.lines)
-      for (const Vec3d& point : points_of(line)) frame_.add(on_page(point, view));
+    // An escaped photon goes far: it may leave the page.
+    for (const PathLine& line : picture.lines) {
+      const std::size_t shown = line.tail == Vec3d{} ? line.points.size() : 1;
+      for (std::size_t i = 0; i < std::min(shown, line.points.size()); ++i)
+        frame_.add(on_page(line.points[i], view));
+    }
     for (const FlatBody& body : picture.flats)
       for (const Vec3d& vertex : body.vertices) frame_.add(on_page(vertex, view));
     for (const RoundBody& body : picture.balls)
@@ -86,12 +94,12 @@ class Plan {
   }
 
   std::string text() {
-    const double width = frame_.side() / 500.0;
+    scale_ = page_size / frame_.side();
     text_ = fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" viewBox=\"{}\" width=\"1000\">\n"
-        "<g fill=\"none\" stroke-width=\"{:.6g}\" stroke-linejoin=\"round\" font-size=\"{:.6g}\" "
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" viewBox=\"{}\">\n"
+        "<g fill=\"none\" stroke-width=\"2\" stroke-linejoin=\"round\" font-size=\"20\" "
         "font-family=\"sans-serif\">\n",
-        frame_.view_box(), width, 12 * width);
+        frame_.view_box(scale_));
     for (const RoundBody& body : picture_.balls) ball(body);
     for (const FlatBody& body : picture_.flats) flat(body);
     for (const PathLine& line : picture_.lines) way(line);
@@ -105,23 +113,28 @@ class Plan {
     return points;
   }
 
-  [[nodiscard]] std::string pair(Vec3d point) const {
+  [[nodiscard]] Place scaled(Vec3d point) const {
     const Place place = on_page(point, view_);
+    return {scale_ * place.x, scale_ * place.y};
+  }
+
+  [[nodiscard]] std::string pair(Vec3d point) const {
+    const Place place = scaled(point);
     return fmt::format("{:.9g},{:.9g} ", place.x, place.y);
   }
 
   void label(Vec3d at, const std::string& name, Rgb color) {
-    const Place place = on_page(at, view_);
+    const Place place = scaled(at);
     fmt::format_to(std::back_inserter(text_),
                    "<text x=\"{:.9g}\" y=\"{:.9g}\" fill=\"{}\">{}</text>\n", place.x, place.y,
                    color_text(color), escaped(name));
   }
 
   void ball(const RoundBody& body) {
-    const Place place = on_page(body.center, view_);
+    const Place place = scaled(body.center);
     fmt::format_to(std::back_inserter(text_),
                    "<circle cx=\"{:.9g}\" cy=\"{:.9g}\" r=\"{:.9g}\" fill=\"{}\"/>\n", place.x,
-                   place.y, body.radius, color_text(body.color));
+                   place.y, scale_ * body.radius, color_text(body.color));
     label(body.center + Vec3d{1, 1, 1} * body.radius, body.name, body.color);
   }
 
@@ -152,6 +165,7 @@ class Plan {
   const PathPicture& picture_;
   PlanView view_;
   PageFrame frame_;
+  double scale_ = 1.0;
   std::string text_;
 };
 
