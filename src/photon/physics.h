@@ -19,7 +19,7 @@ struct Physics {
   std::int64_t max_steps = 20000;
   double max_length = 1e6;
   double max_turning = 25.132741228718345;
-  std::string portal_gravity = "none";
+  std::string portal_gravity = "closest-point";
   std::int64_t portal_gravity_depth = 1;
   std::int64_t graviton_resolution = 32;
 

@@ -66,7 +66,7 @@ void check_portal_gravity(const Scene& scene, const Physics& physics, const Obje
                      fmt::format("with min_force 0 every reach is infinite, and portal_gravity "
                                  "'{}' never lets a photon go",
                                  coupling),
-                     "give a min_force above 0, or another portal_gravity");
+                     "give a min_force above 0, or portal_gravity 'shortest-path'");
   const CouplingCost cost =
       estimated_cost(coupling, {objects.portals, objects.masses, physics.min_force,
                                 static_cast<int>(physics.portal_gravity_depth),

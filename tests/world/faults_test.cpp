@@ -61,7 +61,7 @@ TEST(Faults, OfSections) {
       {"[sampler]\nseed = -1\n", 2, "'seed' is -1", "from 0"},
       {"[physics]\nc = 0\n", 2, "'c' is 0", ""},
       {"[physics]\nG = -1\n", 2, "'G' is -1", "at least 0"},
-      {"[physics]\nintegrator = \"rk45\"\n", 2, "rk45", "euler, rk4, adaptive"},
+      {"[physics]\nintegrator = \"rk45\"\n", 2, "rk45", "adaptive, rk4, euler"},
       {"[physics]\nportal_gravity = \"closestpoint\"\n", 2, "closestpoint", "closest-point"},
       {"[physics]\nmax_step = 3\n", 2, "unknown key 'max_step'", "max_steps"},
       {"[shading]\nmax_bounces = 2.5\n", 2, "'max_bounces'", "whole number"},
@@ -146,7 +146,10 @@ TEST(Faults, OfPortalGravityWithoutAReach) {
   };
   EXPECT_TRUE(faults_of(physics("none") + pair).empty());
   EXPECT_TRUE(faults_of(physics("closest-point") + sphere).empty());
-  expect_each({{physics("closest-point") + pair, 2, "never lets a photon go", "above 0"}});
+  EXPECT_TRUE(faults_of(physics("shortest-path") + pair).empty());
+  expect_each({{physics("closest-point") + pair, 2, "never lets a photon go", "above 0"},
+               // The default, if none is named.
+               {"[physics]\nmin_force = 0\n" + pair, 2, "'closest-point'", "shortest-path"}});
 }
 
 TEST(Faults, OfMeshes) {
