@@ -52,6 +52,13 @@ double ClosestPointCoupling::quiet(Vec3d x) const {
   return least;
 }
 
+double ClosestPointCoupling::calm(Vec3d x) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::uint32_t a = 0; a < gates_.size(); ++a)
+    if (reach(a) > 0.0) least = std::min(least, std::fabs(gates_[a].face.distance(x) - reach(a)));
+  return least;
+}
+
 Pull ClosestPointCoupling::direct(Vec3d x, Vec3d anchor) const {
   Pull total;
   for (const Source& source : sources_) {
@@ -100,6 +107,37 @@ Pull ClosestPointCoupling::through_portals(Vec3d x, Vec3d anchor, int depth,
     total += passed_on(a, q, q_anchor, depth);
   }
   return total;
+}
+
+std::vector<PullPart> ClosestPointCoupling::parts(Vec3d x) const {
+  std::vector<PullPart> found;
+  add_parts(x, depth_, no_portal, {}, found);
+  return found;
+}
+
+void ClosestPointCoupling::add_parts(Vec3d x, int depth, std::uint32_t left_out,
+                                     const PullPart& before, std::vector<PullPart>& parts) const {
+  if (depth <= 0) return;
+  for (std::uint32_t a = 0; a < gates_.size(); ++a) {
+    const double acts_within = reach(a, depth);
+    if (a == left_out || !(acts_within > 0.0)) continue;
+    const PortalFace& face = gates_[a].face;
+    const Vec3d local = face.frame().to_local(x);
+    const Vec3d place = face.place(face.nearest(local), local);
+    const double distance = length(local - place);
+    if (!(distance < acts_within)) continue;
+    PullPart part = before;
+    part.portals.push_back(a);
+    part.places.push_back(face.frame().to_world(place));
+    part.entrance = part.places.front();
+    part.beyond = gates_[a].through.move(part.places.back());
+    part.distance += distance;
+    part.acceleration = direct(part.beyond, part.beyond).acceleration;
+    for (std::size_t i = part.portals.size(); i-- > 0;)
+      part.acceleration = gates_[part.portals[i]].through.rotate_back(part.acceleration);
+    if (part.acceleration != Vec3d{}) parts.push_back(part);
+    add_parts(part.beyond, depth - 1, gates_[a].pair, part, parts);
+  }
 }
 
 std::uint64_t ClosestPointCoupling::decisions(Vec3d x, int depth, std::uint32_t left_out,

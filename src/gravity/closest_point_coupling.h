@@ -32,6 +32,12 @@ class ClosestPointCoupling {
     return decisions(x, depth_, no_portal, 0);
   }
   [[nodiscard]] double quiet(Vec3d x) const;
+  /// Of the reaches of all portals.
+  [[nodiscard]] double calm(Vec3d x) const;
+  /// One part a chain of portals: all masses directly, as seen from the last of them. `places` are
+  /// the nearest points, each on its own portal; `beyond` is the last, moved through; `distance`
+  /// is the sum of |x - q|.
+  [[nodiscard]] std::vector<PullPart> parts(Vec3d x) const;
 
   /// R_A⁻¹ g_{k-1}(T_A q): what portal A passes on from its pair's surroundings, at full depth.
   /// @param q, q_anchor  points of A's plane
@@ -46,6 +52,7 @@ class ClosestPointCoupling {
     return reach_[static_cast<std::size_t>(depth) * gates_.size() + portal];
   }
   [[nodiscard]] const PortalFace& face(std::uint32_t portal) const { return gates_[portal].face; }
+  [[nodiscard]] const Rigid& through(std::uint32_t portal) const { return gates_[portal].through; }
   [[nodiscard]] std::uint32_t portal_count() const {
     return static_cast<std::uint32_t>(gates_.size());
   }
@@ -68,6 +75,9 @@ class ClosestPointCoupling {
                                      std::uint32_t left_out) const;
   [[nodiscard]] Pull passed_on(std::uint32_t portal, Vec3d q, Vec3d q_anchor, int depth) const;
   [[nodiscard]] Pull direct(Vec3d x, Vec3d anchor) const;
+  /// Adds the ways from x, which lies beyond the portals that `before` has passed.
+  void add_parts(Vec3d x, int depth, std::uint32_t left_out, const PullPart& before,
+                 std::vector<PullPart>& parts) const;
   [[nodiscard]] std::uint64_t decisions(Vec3d x, int depth, std::uint32_t left_out,
                                         std::uint64_t path) const;
 

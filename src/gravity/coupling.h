@@ -15,7 +15,14 @@
 ///   double quiet(Vec3d x) const;
 ///       a lower bound of the distance from x to where the coupling acts; 0 where it does, infinite
 ///       if it never does
-/// and is immutable.
+///   std::vector<PullPart> parts(Vec3d x) const;
+///       what `pull(x, x)` is the sum of, one entry a way through portals
+/// and is immutable. It may have
+///   double calm(Vec3d x) const;
+///       a lower bound of the distance from x to the nearest place where a part of it begins or
+///       ends to act, so that long steps don't overlook what they graze
+/// A coupling that acts infinitely far falls off with the square of the distance, and pulls towards
+/// the portals.
 #pragma once
 
 #include <string_view>

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "gravity/mass.h"
+#include "gravity/pull_part.h"
 #include "portal/portal.h"
 
 namespace portalens {

@@ -78,6 +78,15 @@ class Field {
 
   [[nodiscard]] std::uint64_t signature(Vec3d x) const { return coupling_.signature(x); }
 
+  /// A lower bound of the distance to where the coupling begins or ends to act; infinite if it
+  /// doesn't tell.
+  [[nodiscard]] double calm(Vec3d x) const {
+    if constexpr (requires { coupling_.calm(x); })
+      return coupling_.calm(x);
+    else
+      return std::numeric_limits<double>::infinity();
+  }
+
   /// Distance along the ray at which a mass's influence or the coupling first acts, or infinity.
   [[nodiscard]] double free_flight(const Ray& ray, double resolution, double extent) const {
     double least = std::numeric_limits<double>::infinity();

@@ -117,6 +117,26 @@ std::uint64_t GravitonMapCoupling::signature(Vec3d x) const {
   return total;
 }
 
+std::vector<PullPart> GravitonMapCoupling::parts(Vec3d x) const {
+  std::vector<PullPart> found;
+  Draw draw;
+  for (std::uint32_t a = 0; a < grids_.size(); ++a) {
+    if (!draws(a, x, draw)) continue;
+    const PortalFace& face = exact_.face(a);
+    const Vec3d local = face.frame().to_local(x);
+    const Vec3d place = face.place(draw.feature, local);
+    PullPart part;
+    part.portals = {a};
+    part.acceleration = interpolate(grids_[a], draw, place).acceleration;
+    part.entrance = face.frame().to_world(place);
+    part.places = {part.entrance};
+    part.beyond = exact_.through(a).move(part.entrance);
+    part.distance = length(local - place);
+    if (part.acceleration != Vec3d{}) found.push_back(part);
+  }
+  return found;
+}
+
 GravitonMapError GravitonMapCoupling::error(std::uint32_t portal) const {
   const Grid& grid = grids_[portal];
   const PortalFace& face = exact_.face(portal);

@@ -33,6 +33,11 @@ class GravitonMapCoupling {
   [[nodiscard]] Pull pull(Vec3d x, Vec3d anchor) const;
   [[nodiscard]] std::uint64_t signature(Vec3d x) const;
   [[nodiscard]] double quiet(Vec3d x) const { return exact_.quiet(x); }
+  [[nodiscard]] double calm(Vec3d x) const { return exact_.calm(x); }
+
+  /// One part a portal: its look-up. `places` has the nearest point of the face, `beyond` is that
+  /// point moved through, and `distance` how far it is.
+  [[nodiscard]] std::vector<PullPart> parts(Vec3d x) const;
 
   /// The coupling that the map stands for.
   [[nodiscard]] const ClosestPointCoupling& exact() const { return exact_; }

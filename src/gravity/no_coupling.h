@@ -17,6 +17,7 @@ class NoCoupling {
   [[nodiscard]] static CouplingCost cost(const CouplingInput&) { return {}; }
   [[nodiscard]] Pull pull(Vec3d, Vec3d) const { return {}; }
   [[nodiscard]] std::uint64_t signature(Vec3d) const { return 0; }
+  [[nodiscard]] std::vector<PullPart> parts(Vec3d) const { return {}; }
   [[nodiscard]] double quiet(Vec3d) const { return std::numeric_limits<double>::infinity(); }
 };
 

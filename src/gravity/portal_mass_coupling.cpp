@@ -29,7 +29,8 @@ bool within(const PortalMassCoupling::Image& image, Vec3d x) {
 
 PortalMassCoupling::PortalMassCoupling(const CouplingInput& input) {
   if (input.depth == 0) return;
-  for (const Portal& portal : input.portals) {
+  for (std::uint32_t a = 0; a < input.portals.size(); ++a) {
+    const Portal& portal = input.portals[a];
     const Vec3d beyond = input.portals[portal.pair].frame.origin;
     const double core2 = polygon_area(portal) / std::numbers::pi;
     double gm = 0.0;
@@ -38,7 +39,7 @@ PortalMassCoupling::PortalMassCoupling(const CouplingInput& input) {
       gm += mass.gm * core2 / (core2 + dot(to_mass, to_mass));
     }
     if (gm > 0.0)
-      images_.push_back({portal.frame.origin, gm, core2, influence_radius(gm, input.min_force)});
+      images_.push_back({portal.frame.origin, gm, core2, influence_radius(gm, input.min_force), a});
   }
 }
 
@@ -57,6 +58,29 @@ Pull PortalMassCoupling::pull(Vec3d x, Vec3d anchor) const {
     total.nearness += inverse2 * inverse2;
   }
   return total;
+}
+
+double PortalMassCoupling::calm(Vec3d x) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Image& image : images_)
+    least = std::min(least, std::fabs(length(image.center - x) - image.influence));
+  return least;
+}
+
+std::vector<PullPart> PortalMassCoupling::parts(Vec3d x) const {
+  std::vector<PullPart> found;
+  for (const Image& image : images_) {
+    if (!within(image, x)) continue;
+    const Vec3d to = image.center - x;
+    PullPart part;
+    part.portals = {image.portal};
+    part.acceleration = attraction(to, image.gm, image.core2);
+    part.entrance = part.beyond = image.center;
+    part.places = {image.center};
+    part.distance = length(to);
+    found.push_back(part);
+  }
+  return found;
 }
 
 std::uint64_t PortalMassCoupling::signature(Vec3d x) const {

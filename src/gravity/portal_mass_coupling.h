@@ -24,11 +24,15 @@ class PortalMassCoupling {
   [[nodiscard]] Pull pull(Vec3d x, Vec3d anchor) const;
   [[nodiscard]] std::uint64_t signature(Vec3d x) const;
   [[nodiscard]] double quiet(Vec3d x) const;
+  [[nodiscard]] double calm(Vec3d x) const;
+  /// One part a portal; all its places are the centroid.
+  [[nodiscard]] std::vector<PullPart> parts(Vec3d x) const;
 
   /// A portal as a mass.
   struct Image {
     Vec3d center;
     double gm, core2, influence;
+    std::uint32_t portal;
   };
   /// One entry a portal that acts at all.
   [[nodiscard]] const std::vector<Image>& images() const { return images_; }

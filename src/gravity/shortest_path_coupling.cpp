@@ -118,6 +118,41 @@ Way ShortestPathCoupling::way(const Image& image, Vec3d x) const {
   return follow(x, image.center, faces, passages);
 }
 
+Vec3d ShortestPathCoupling::attraction(const Image& image, Vec3d x, const Way& way) {
+  const Vec3d ahead = way.towards - x;
+  const double near2 = dot(ahead, ahead), square = way.length * way.length + image.core2;
+  // Exactly at a mass or on a rim there is no direction.
+  if (!(near2 > 0.0) || !(square > 0.0)) return {};
+  return ahead * (image.gm * way.length / (square * std::sqrt(square) * std::sqrt(near2)));
+}
+
+std::vector<PullPart> ShortestPathCoupling::parts(Vec3d x) const {
+  std::vector<PullPart> found;
+  Row row;
+  Passages passages;
+  for (const Image& image : images_) {
+    const FaceRow faces = faces_of(image, row);
+    if (!decide(image, x, faces, passages)) continue;
+    const Polyline way = bends(x, image.center, faces, passages);
+    PullPart part;
+    part.portals = chain(image);
+    part.mass = image.mass;
+    for (std::size_t i = 0; i < way.count; ++i) part.places.push_back(way.point(i));
+    part.beyond = image.center;
+    part.distance = way.total();
+    const Vec3d towards = part.places.empty() ? image.center : part.places.front();
+    part.acceleration = attraction(image, x, {part.distance, towards, part.places.empty()});
+    part.entrance = towards;
+    if (passages[0].kind == Passage::Kind::straight) {
+      const Frame& frame = faces[0]->frame();
+      const double from = frame.to_local(x).z, to = frame.to_local(towards).z;
+      part.entrance = x + (towards - x) * (from > to ? from / (from - to) : 0.0);
+    }
+    found.push_back(part);
+  }
+  return found;
+}
+
 Pull ShortestPathCoupling::pull(Vec3d x, Vec3d anchor) const {
   Pull total;
   Row row;
@@ -126,13 +161,12 @@ Pull ShortestPathCoupling::pull(Vec3d x, Vec3d anchor) const {
     const FaceRow faces = faces_of(image, row);
     if (!decide(image, anchor, faces, passages)) continue;
     const Way way = follow(x, image.center, faces, passages);
+    const Vec3d acceleration = attraction(image, x, way);
+    if (acceleration == Vec3d{}) continue;
+    total.acceleration += acceleration;
+    const double square = way.length * way.length + image.core2, inverse2 = 1.0 / square;
     const Vec3d ahead = way.towards - x;
-    const double near2 = dot(ahead, ahead), square = way.length * way.length + image.core2;
-    // Exactly at a mass or on a rim there is no direction.
-    if (!(near2 > 0.0) || !(square > 0.0)) continue;
-    const double inverse2 = 1.0 / square, near = std::sqrt(near2);
-    const double strength = image.gm * inverse2 * std::sqrt(inverse2);
-    total.acceleration += ahead * (strength * way.length / near);
+    const double near2 = dot(ahead, ahead);
     // Beside a rim the direction turns within the distance to it. Not resolved closer than a
     // thousandth of the way: what that leaves out is as small a share of the pull.
     const double scale2 = way.straight ? square : std::max(near2, 1e-6 * square);

@@ -32,6 +32,10 @@ class ShortestPathCoupling {
   [[nodiscard]] std::uint64_t signature(Vec3d x) const;
   [[nodiscard]] double quiet(Vec3d x) const;
 
+  /// One part a chain and mass. Unfolded, as all looks from x: `places` are the bends of the way,
+  /// `beyond` is where the mass seems to be; `distance` is D.
+  [[nodiscard]] std::vector<PullPart> parts(Vec3d x) const;
+
   /// One mass through one chain.
   struct Image {
     Vec3d center;  ///< p', where the mass seems to be
@@ -65,6 +69,8 @@ class ShortestPathCoupling {
   void add_images(const CouplingInput& input, const std::vector<std::uint32_t>& chain,
                   std::uint32_t link);
   [[nodiscard]] FaceRow faces_of(const Image& image, Row& row) const;
+  /// What an image adds, its way being known.
+  [[nodiscard]] static Vec3d attraction(const Image& image, Vec3d x, const Way& way);
   [[nodiscard]] bool decide(const Image& image, Vec3d x, FaceRow faces, Passages& out) const;
 
   std::vector<Link> links_;

@@ -52,6 +52,30 @@ TYPED_TEST(Couplings, DecideNothingAfreshWhereTheSignatureIsTheSame) {
   EXPECT_GT(compared, scaled(60) * 5);
 }
 
+TYPED_TEST(Couplings, AreTheSumOfTheirParts) {
+  int acting = 0;
+  for_scenes(57, scaled(60),
+             [&](const PortalScene& scene, const CouplingInput& input, Random& random) {
+               const TypeParam coupling(input);
+               for (int i = 0; i < 10; ++i) {
+                 const Vec3d x = random.point(4.0);
+                 const Vec3d pull = coupling.pull(x, x).acceleration;
+                 Vec3d sum;
+                 for (const PullPart& part : coupling.parts(x)) {
+                   sum += part.acceleration;
+                   ASSERT_FALSE(part.portals.empty());
+                   EXPECT_GE(part.distance, 0.0);
+                   // The way sets out towards the first face.
+                   const PortalFace face(scene.portals[part.portals.front()]);
+                   EXPECT_LE(face.distance(part.entrance), 1e-9);
+                 }
+                 ASSERT_LE(length(sum - pull), 1e-12 * (length(sum) + length(pull)));
+                 acting += length(pull) > 0.0;
+               }
+             });
+  EXPECT_TRUE(acting > scaled(60) || TypeParam::name == "none");
+}
+
 TYPED_TEST(Couplings, ChangeTheirSignatureOnlyWhereTheFieldIsNotSmooth) {
   int kinks = 0, idle = 0;
   for_scenes(52, scaled(30), [&](const PortalScene&, const CouplingInput& input, Random& random) {
