@@ -25,7 +25,8 @@ class Tracer {
       : space_(space),
         integrator_(integrator),
         field_(space.masses, coupling, space.physics.c),
-        obstacles_(space.surfaces, space.portals) {}
+        obstacles_(space.surfaces, space.portals),
+        gates_(middle_of(space.portals.portals())) {}
 
   [[nodiscard]] Arrival advance(const Photon& photon, Journey* journey) {
     journey_ = journey;
@@ -292,7 +293,20 @@ class Tracer {
       if (s < first && !Field<C>::within(mass, a) && Field<C>::within(mass, curve.position(s)))
         first = s;
     }
-    return first;
+    return grazed_coupling(curve, first);
+  }
+
+  /// The same for the coupling, before `end`: as its boundaries are at least `calm` away, the next
+  /// place to look is.
+  [[nodiscard]] double grazed_coupling(const Curve& curve, double end) const {
+    if (std::isinf(surroundings_.quiet)) return end;
+    const double least = std::fmax(margin(), 1e-3 * curve.length());
+    double s = 0.0;
+    while (true) {
+      s += std::fmax(field_.calm(curve.position(s)), least);
+      if (s >= end) return end;
+      if (differs(curve.position(s))) return s;
+    }
   }
 
   [[nodiscard]] std::optional<Encounter> obstacle_on(const Curve& curve) {
@@ -313,9 +327,9 @@ class Tracer {
   /// turning to come than the tolerance: what is to come is added (to first order in m/d, so the
   /// error is a share m/d of it), and the photon has escaped.
   [[nodiscard]] bool far_from_all() {
-    if (!space_.unbounded || surroundings_.quiet == 0.0) return false;
+    if (!space_.unbounded) return false;
     double turning = 0.0, closeness = 0.0;
-    Vec3d kick;
+    Vec3d kick, through = bending_.acceleration;
     for (std::uint32_t i : surroundings_.inside) {
       const Mass& mass = space_.masses[i];
       if (!std::isinf(mass.influence)) return false;
@@ -325,13 +339,21 @@ class Tracer {
       if (outward < 0.9) return false;
       const Vec3d across = turning_part(to_mass, travel_.state.direction);
       const double b = length(across);
+      const double gm = mass.gm * field_.inverse_c2();
+      through -= attraction(to_mass, gm, mass.core * mass.core);
       if (b == 0.0) continue;
       // ∫ m b / (b² + s²)^(3/2) ds from here to infinity on the straight way = (m/b) (1 - outward).
-      const double m = mass.gm * field_.inverse_c2();
-      const double rest = m / d * (b / d) / (1.0 + outward);
+      const double rest = gm / d * (b / d) / (1.0 + outward);
       turning += rest;
-      closeness += m / d;
+      closeness += gm / d;
       kick += across * (rest / b);
+    }
+    if (surroundings_.quiet == 0.0) {
+      const std::optional<Vec3d> rest = kick_through_portals(through);
+      if (!rest) return false;
+      turning += length(*rest);
+      closeness += length(through) * length(travel_.state.position - gates_);
+      kick += *rest;
     }
     if (turning > space_.physics.tolerance || turning * closeness > 0.02 * space_.physics.tolerance)
       return false;
@@ -342,6 +364,31 @@ class Tracer {
     travel_.state.direction = normalize(travel_.state.direction + kick);
     travel_.arrival.turning += turning;
     return end(Fate::escaped);
+  }
+
+  /// What the pull of portals does from here to infinity, on a straight way; nothing if that can't
+  /// be told to a small share of the tolerance.
+  ///
+  /// All of it points to the portals, and falls off with the square of the length of ways that lead
+  /// through them, which are longer than the distance r by less than `size`. So each part does
+  /// r/(1 + outward) times what of it turns, as that of a mass would, with an error of a share
+  /// size/r; and no part turns by more than a share size/r of itself.
+  [[nodiscard]] std::optional<Vec3d> kick_through_portals(Vec3d pull) const {
+    const Vec3d from = travel_.state.position - gates_;
+    const double r = length(from), outward = dot(from, travel_.state.direction) / r;
+    const double size =
+        static_cast<double>(space_.physics.portal_gravity_depth + 1) * space_.extent;
+    if (!(r > size) || outward < 0.9) return std::nullopt;
+    if (length(pull) * size * size / (2.0 * r) > 0.02 * space_.physics.tolerance)
+      return std::nullopt;
+    return turning_part(pull, travel_.state.direction) * (r / (1.0 + outward));
+  }
+
+  [[nodiscard]] static Vec3d middle_of(std::span<const Portal> portals) {
+    Box box;
+    for (const Portal& portal : portals)
+      for (const Vec3d& vertex : portal.vertices) box.add(vertex);
+    return box.empty() ? Vec3d{} : box.middle();
   }
 
   /// Goes on to the end of a step.
@@ -368,6 +415,7 @@ class Tracer {
   const I& integrator_;
   Field<C> field_;
   Obstacles obstacles_;
+  Vec3d gates_;  ///< the middle of all portals
 
   Travel travel_;
   State end_;
