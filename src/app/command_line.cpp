@@ -17,6 +17,7 @@ Examples:
   portalens render scene.toml --set physics.portal_gravity=shortest-path
   portalens check scene.toml                   what the scene holds, and what is odd about it
   portalens trace scene.toml --ray 0 1 5  0 0 -1 --json
+  portalens field scene.toml --plane xz -o field.png
 
 Exit codes: 0 done; 1 the work failed (disk, memory); 2 the scene or the command line has a fault.)";
 
@@ -41,6 +42,7 @@ int run_command_line(std::vector<std::string> arguments) {
   add_check_command(program, chosen);
   add_trace_command(program, chosen);
   add_image_command(program, chosen);
+  add_field_command(program, chosen);
 
   spell_out_negative_fractions(arguments);
   std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them

@@ -74,6 +74,38 @@ Json camera_json(const Camera& camera) {
           {perspective ? "fov" : "size", perspective ? camera.fov : camera.size}};
 }
 
+CouplingInput coupling_input(const Space& space) {
+  const Physics& physics = space.physics;
+  return {space.portals.portals(), space.masses, physics.min_force,
+          static_cast<int>(physics.portal_gravity_depth),
+          static_cast<int>(physics.graviton_resolution)};
+}
+
+CouplingCost coupling_cost(const Space& space) {
+  return estimated_cost(space.physics.portal_gravity, coupling_input(space));
+}
+
+/// One entry a portal, if gravity is kept in maps.
+std::vector<GravitonMapError> map_errors(const Space& space) {
+  std::vector<GravitonMapError> errors;
+  if (const auto* map = std::get_if<GravitonMapCoupling>(&space.coupling))
+    for (std::uint32_t i = 0; i < map->exact().portal_count(); ++i) errors.push_back(map->error(i));
+  return errors;
+}
+
+Json gravity_json(const Space& space) {
+  const CouplingCost cost = coupling_cost(space);
+  Json json = {{"name", space.physics.portal_gravity},
+               {"pulls_at_each_place", cost.each_call},
+               {"pulls_to_prepare", cost.preparation}};
+  const std::vector<GravitonMapError> errors = map_errors(space);
+  for (std::size_t i = 0; i < errors.size(); ++i)
+    json["map_errors"].push_back({{"portal", space.portals.portals()[i].name},
+                                  {"typical", errors[i].typical},
+                                  {"largest", errors[i].largest}});
+  return json;
+}
+
 Json physics_json(const Space& space) {
   const Physics& physics = space.physics;
   return {{"G", physics.G},
@@ -143,8 +175,20 @@ std::string physics_text(const Space& space) {
       fmt::format("G = {:g}, c = {:g}, min_force = {:g}; {} ({} {:g})", p.G, p.c, p.min_force,
                   p.integrator, p.integrator == "adaptive" ? "tolerance" : "step",
                   p.integrator == "adaptive" ? p.tolerance : p.step);
-  if (!space.portals.empty())
-    text += fmt::format("; portal gravity {}, depth {}", p.portal_gravity, p.portal_gravity_depth);
+  return text;
+}
+
+/// The coupling, what it costs, and how exact it is if that is known.
+std::string gravity_text(const Space& space) {
+  const CouplingCost cost = coupling_cost(space);
+  std::string text =
+      fmt::format("{}, depth {}", space.physics.portal_gravity, space.physics.portal_gravity_depth);
+  text += fmt::format("; costs at most {:.3g} pulls of a mass at each place", cost.each_call);
+  if (cost.preparation > 0.0) text += fmt::format(", and {:.3g} once", cost.preparation);
+  const std::vector<GravitonMapError> errors = map_errors(space);
+  for (std::size_t i = 0; i < errors.size(); ++i)
+    text += fmt::format("\n  map of {}: {:.2g} off closest-point, at worst {:.2g} of the strongest",
+                        space.portals.portals()[i].name, errors[i].typical, errors[i].largest);
   return text;
 }
 
@@ -160,6 +204,7 @@ Json describe_json(const Scene& scene, const World& world) {
           {"samples", world.sampling.samples},
           {"seed", world.sampling.seed},
           {"physics", physics_json(world.space)},
+          {"gravity_through_portals", gravity_json(world.space)},
           {"environment", environment.image ? Json("image") : to_json(environment.color)},
           {"materials", world.appearance.materials.size()},
           {"objects", bodies_json(world)},
@@ -181,6 +226,7 @@ std::string describe_text(const Scene& scene, const World& world) {
   line("film", fmt::format("{} x {}, {} samples a pixel", world.film.width, world.film.height,
                            world.sampling.samples));
   line("physics", physics_text(space));
+  if (!space.portals.empty()) line("gravity", "through portals: " + gravity_text(space));
   line("objects", kinds_text(world.appearance.bodies));
   text += listed("masses", std::span<const Mass>(space.masses),
                  [&](const Mass& mass) { return mass_text(mass, space.physics.G); });
