@@ -27,5 +27,6 @@ void add_check_command(CLI::App& program, Command& chosen);
 void add_trace_command(CLI::App& program, Command& chosen);
 void add_image_command(CLI::App& program, Command& chosen);
 void add_field_command(CLI::App& program, Command& chosen);
+void add_draw_command(CLI::App& program, Command& chosen);
 
 }  // namespace portalens

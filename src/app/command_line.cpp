@@ -18,6 +18,7 @@ Examples:
   portalens check scene.toml                   what the scene holds, and what is odd about it
   portalens trace scene.toml --ray 0 1 5  0 0 -1 --json
   portalens field scene.toml --plane xz -o field.png
+  portalens draw scene.toml --pixel 120 80 --view top    the way of a pixel's photon, drawn
 
 Exit codes: 0 done; 1 the work failed (disk, memory); 2 the scene or the command line has a fault.)";
 
@@ -43,6 +44,7 @@ int run_command_line(std::vector<std::string> arguments) {
   add_trace_command(program, chosen);
   add_image_command(program, chosen);
   add_field_command(program, chosen);
+  add_draw_command(program, chosen);
 
   spell_out_negative_fractions(arguments);
   std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them

@@ -1,71 +1,101 @@
 /// \file
-/// A drawing as a list of marks, which can become SVG or pixels. Coordinates are pixels, y
-/// downwards, (0, 0) the top left corner.
+/// A picture as a list of lines, areas, discs and words, in pixels: what both the SVG writer
+/// (drawing_svg.h) and the rasteriser (canvas.h) draw from, so that they show the same.
 #pragma once
 
-#include <array>
-#include <cstdint>
+#include <filesystem>
 #include <string>
-#include <utility>
 #include <variant>
 #include <vector>
 
 namespace portalens {
 
-/// sRGB, 8 bits each.
-struct Ink {
-  std::uint8_t red = 0, green = 0, blue = 0;
-
-  friend bool operator==(const Ink&, const Ink&) = default;
+/// x to the right, y downwards, from the top left corner; the first pixel's centre is (0.5, 0.5).
+struct Point {
+  double x = 0, y = 0;
+  friend constexpr Point operator+(Point a, Point b) { return {a.x + b.x, a.y + b.y}; }
+  friend constexpr Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
+  friend constexpr Point operator*(Point a, double s) { return {a.x * s, a.y * s}; }
+  friend constexpr bool operator==(const Point&, const Point&) = default;
 };
 
-struct DrawingPoint {
-  double x = 0.0, y = 0.0;
-};
+using PointChain = std::vector<Point>;
 
-/// A rectangle of equal square cells, row by row from the top left.
-struct InkCells {
-  DrawingPoint corner;
-  double size = 1.0;
-  int columns = 0, rows = 0;
-  std::vector<Ink> inks;
+/// sRGB, each 0 to 1.
+struct Color {
+  double red = 0, green = 0, blue = 0;
+  double alpha = 1;
+  friend constexpr bool operator==(const Color&, const Color&) = default;
+  [[nodiscard]] constexpr Color with_alpha(double a) const { return {red, green, blue, a}; }
 };
 
 struct Stroke {
-  std::vector<DrawingPoint> points;
-  Ink ink;
-  double width = 1.0;
+  Color color;
+  double width = 0.0;  ///< 0: nothing is drawn
+  double dash = 0.0;   ///< length of dashes, and of the gaps between; 0: none
+};
+
+/// Lines of one kind, with round ends. `meaning` is the class in SVG: words of letters, digits, -.
+struct Lines {
+  std::vector<PointChain> pieces;
+  Stroke stroke;
+  std::string meaning;
+};
+
+/// A filled polygon.
+struct Area {
+  PointChain corners;
+  Color color;
+  std::string meaning;
 };
 
 struct Disc {
-  DrawingPoint center;
+  Point center;
   double radius = 1.0;
-  Ink ink;
+  Color color;
+  Stroke rim;
+  std::string meaning;
 };
 
-/// One line of text; it ends at `at`, is in its middle, or begins there.
+enum class Anchor { start, middle, end };
+
+/// Words with a thin halo, so that they can be read over lines. UTF-8; the rasteriser has letters
+/// for ASCII alone, and draws a box for each other one.
 struct Label {
-  enum class Anchor : std::uint8_t { begin, middle, end };
-  DrawingPoint at;  ///< on the base line
+  Point at;  ///< on the baseline
   std::string text;
-  Anchor anchor = Anchor::begin;
-  Ink ink;
+  double size = 13.0;  ///< of the font, pixels
+  Color color;
+  Anchor anchor = Anchor::start;
+  std::string meaning;
 };
 
-using Mark = std::variant<InkCells, Stroke, Disc, Label>;
+/// A rectangle of equal square cells, row by row from the top left.
+struct Cells {
+  Point corner;
+  double size = 1.0;
+  int columns = 0, rows = 0;
+  std::vector<Color> colors;
+  std::string meaning;
+};
 
-/// On white; later marks cover earlier ones.
+using Mark = std::variant<Lines, Area, Disc, Label, Cells>;
+
 struct Drawing {
   int width = 0, height = 0;
-  std::vector<Mark> marks;
-
-  template <class M>
-  void add(M mark) {
-    marks.emplace_back(std::in_place_type<M>, std::move(mark));
-  }
+  Color background{1, 1, 1};
+  std::vector<Mark> marks;  ///< later ones over earlier ones
 };
 
-/// Height of a label's capitals, pixels.
-inline constexpr double label_height = 10.0;
+/// How wide the rasteriser sets a text, pixels; usual fonts set it no wider.
+[[nodiscard]] double text_width(const std::string& text, double size);
+
+/// Whether a drawing can be written under this name, by its suffix (.svg, .png) and its place.
+/// @throws SceneError if the suffix is another; WorkError if the place can't be written
+void check_drawable(const std::filesystem::path& file);
+
+/// Writes SVG or PNG, as the suffix says.
+/// @throws as check_drawable
+void write_drawing(const std::filesystem::path& file, const Drawing& drawing);
 
 }  // namespace portalens

@@ -8,6 +8,8 @@
 
 namespace portalens {
 
-[[nodiscard]] std::string svg_of(const Drawing& drawing);
+/// A whole file. Whatever the texts hold, it is well-formed: bytes that are no UTF-8, and control
+/// characters, become U+FFFD.
+[[nodiscard]] std::string svg_text(const Drawing& drawing);
 
 }  // namespace portalens

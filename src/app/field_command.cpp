@@ -9,13 +9,10 @@
 #include <vector>
 
 #include "app/command.h"
-#include "app/drawing_pixels.h"
-#include "app/drawing_svg.h"
+#include "app/drawing.h"
 #include "app/field_drawing.h"
 #include "app/field_report.h"
 #include "app/scene_options.h"
-#include "io/files.h"
-#include "io/image.h"
 #include "render/parallel.h"
 
 namespace portalens {
@@ -43,30 +40,12 @@ FieldPlane plane_from(const FieldArguments& arguments, const Space& space) {
   return plane_along(arguments.axes, arguments.cut, range, space);
 }
 
-bool is_svg(const std::filesystem::path& file) { return file.extension() == ".svg"; }
-
-std::vector<Channel> channels_of(const Image& image) {
-  std::vector<Channel> channels = {{"R", {}}, {"G", {}}, {"B", {}}};
-  for (std::size_t i = 0; i < image.pixels.size(); ++i)
-    channels[i % 3].values.push_back(image.pixels[i]);
-  return channels;
-}
-
 int draw(const FieldArguments& arguments) {
-  if (is_svg(arguments.output))
-    check_replaceable(arguments.output);
-  else
-    check_writable(arguments.output);
+  check_drawable(arguments.output);
   const Scene scene = read_with_settings(arguments.scene);
   const World world = compile_with_options(scene, arguments.scene);
-  const Drawing drawing =
-      draw_field(world.space, plane_from(arguments, world.space), arguments.drawing);
-  if (is_svg(arguments.output)) {
-    replace_file(arguments.output, svg_of(drawing));
-  } else {
-    const Image image = pixels_of(drawing);
-    write_image(arguments.output, image.width, image.height, channels_of(image), {});
-  }
+  write_drawing(arguments.output,
+                draw_field(world.space, plane_from(arguments, world.space), arguments.drawing));
   return exit_done;
 }
 
@@ -100,7 +79,7 @@ Examples:
   portalens field scene.toml --rectangle 0 0 0  3 0 3  0 4 0 -o tilted.png)";
 
 void add_drawing_options(CLI::App& command, FieldArguments& arguments) {
-  command.add_option("-o,--output", arguments.output, "Drawing to write: .png, .svg, or .exr")
+  command.add_option("-o,--output", arguments.output, "Drawing to write: .png or .svg")
       ->type_name("FILE");
   command
       .add_option("--cut", arguments.cut,

@@ -16,23 +16,31 @@ namespace {
 constexpr double cell_size = 2.0;
 constexpr double arrow_spacing = 40.0;
 constexpr int legend_rows = 52;
-constexpr Ink black{0, 0, 0}, dark{60, 60, 60}, way_ink{20, 130, 50}, grey{225, 225, 225};
+constexpr double letters = 14.0;       ///< size of the font
+constexpr double label_height = 10.0;  ///< of its capitals
+
+constexpr Color of_bytes(int red, int green, int blue) {
+  return {red / 255.0, green / 255.0, blue / 255.0};
+}
+constexpr Color black, dark = of_bytes(60, 60, 60), way_color = of_bytes(20, 130, 50),
+                       grey = of_bytes(225, 225, 225);
 /// Fronts of pairs, one pair after the other.
-constexpr Ink pair_inks[][2] = {
-    {{0, 90, 220}, {225, 110, 0}}, {{140, 0, 170}, {0, 140, 140}}, {{170, 30, 60}, {90, 110, 0}}};
+constexpr Color pair_colors[][2] = {{of_bytes(0, 90, 220), of_bytes(225, 110, 0)},
+                                    {of_bytes(140, 0, 170), of_bytes(0, 140, 140)},
+                                    {of_bytes(170, 30, 60), of_bytes(90, 110, 0)}};
 
 /// A scale of colours for 0 <= share <= 1, in so many steps that a drawing in SVG stays small.
-Ink ink_of(double share) {
+Color color_of(double share) {
   constexpr double stops[][3] = {
       {238, 244, 251}, {185, 215, 234}, {247, 232, 168}, {244, 178, 102}, {224, 102, 79}};
   constexpr double steps = 32.0;
   const double at = std::round(std::clamp(share, 0.0, 1.0) * steps) / steps * 4.0;
   const int i = std::min(static_cast<int>(at), 3);
-  std::uint8_t levels[3];
+  int levels[3];
   for (int k = 0; k < 3; ++k)
-    levels[k] = static_cast<std::uint8_t>(
-        std::lround(stops[i][k] + (stops[i + 1][k] - stops[i][k]) * (at - i)));
-  return {levels[0], levels[1], levels[2]};
+    levels[k] =
+        static_cast<int>(std::lround(stops[i][k] + (stops[i + 1][k] - stops[i][k]) * (at - i)));
+  return of_bytes(levels[0], levels[1], levels[2]);
 }
 
 /// Powers of ten between which strengths are told apart.
@@ -79,27 +87,25 @@ class FieldArtist {
     draw_portals();
     draw_masses();
     // What strays below the plane is covered.
-    drawing_.add(Stroke{
-        {{0.0, rows_ + legend_rows / 2.0}, {drawing_.width + 0.0, rows_ + legend_rows / 2.0}},
-        {255, 255, 255},
-        legend_rows + 0.0});
+    const double width = drawing_.width, top = rows_, bottom = rows_ + legend_rows;
+    add(Area{{{0, top}, {width, top}, {width, bottom}, {0, bottom}}, {1, 1, 1}, ""});
     draw_legend();
     return std::move(drawing_);
   }
 
  private:
-  [[nodiscard]] Vec3d place_of(DrawingPoint p) const {
+  [[nodiscard]] Vec3d place_of(Point p) const {
     return plane_.corner + across_ * (p.x / scale_) + upwards_ * ((rows_ - p.y) / scale_);
   }
 
   /// Projected onto the plane.
-  [[nodiscard]] DrawingPoint point_of(Vec3d x) const {
+  [[nodiscard]] Point point_of(Vec3d x) const {
     const Vec3d from = x - plane_.corner;
     return {dot(from, across_) * scale_, rows_ - dot(from, upwards_) * scale_};
   }
 
   void paint_strength() {
-    InkCells cells;
+    Cells cells;
     cells.size = cell_size;
     cells.columns = static_cast<int>(std::ceil(drawing_.width / cell_size));
     cells.rows = static_cast<int>(std::ceil(rows_ / cell_size));
@@ -115,19 +121,19 @@ class FieldArtist {
         [] { return false; });
     strengths_ = scale_of(strengths);
     for (const double strength : strengths)
-      cells.inks.push_back(strength > 0.0 ? ink_of(strengths_.share(strength)) : grey);
-    drawing_.add(std::move(cells));
+      cells.colors.push_back(strength > 0.0 ? color_of(strengths_.share(strength)) : grey);
+    add(std::move(cells));
   }
 
   /// Calls `visit(point)` on a square grid that begins at `offset`.
   template <class Visit>
   void on_grid(double offset, const Visit& visit) const {
     for (double y = offset; y < rows_; y += arrow_spacing)
-      for (double x = offset; x < drawing_.width; x += arrow_spacing) visit(DrawingPoint{x, y});
+      for (double x = offset; x < drawing_.width; x += arrow_spacing) visit(Point{x, y});
   }
 
   void draw_ways() {
-    on_grid(0.0, [&](DrawingPoint p) {
+    on_grid(0.0, [&](Point p) {
       std::vector<PullPart> parts = std::visit(
           [&](const auto& coupling) { return coupling.parts(place_of(p)); }, space_.coupling);
       parts.erase(std::remove_if(parts.begin(), parts.end(),
@@ -137,21 +143,21 @@ class FieldArtist {
         return a.distance < b.distance;
       });
       if (options_.ways == DrawnWays::nearest && parts.size() > 1) parts.resize(1);
-      for (const PullPart& part : parts) stroke({p, point_of(part.entrance)}, way_ink, 1.0);
-      if (!parts.empty()) drawing_.add(Disc{p, 2.0, way_ink});
+      for (const PullPart& part : parts) stroke({p, point_of(part.entrance)}, way_color, 1.0);
+      if (!parts.empty()) add(Disc{p, 2.0, way_color, {}, "way"});
     });
   }
 
   /// As long as the part of the direction that lies in the plane.
   void draw_arrows() {
-    on_grid(0.5 * arrow_spacing, [&](DrawingPoint p) {
+    on_grid(0.5 * arrow_spacing, [&](Point p) {
       const Vec3d field = field_at(space_, place_of(p));
       const double strength = length(field);
       if (!(strength > 0.0) || !std::isfinite(strength)) return;
       const double dx = dot(field, across_) / strength, dy = -dot(field, upwards_) / strength;
       const double half = 0.32 * arrow_spacing;
-      const DrawingPoint tail{p.x - half * dx, p.y - half * dy};
-      const DrawingPoint head{p.x + half * dx, p.y + half * dy};
+      const Point tail{p.x - half * dx, p.y - half * dy};
+      const Point head{p.x + half * dx, p.y + half * dy};
       stroke({tail, head}, black, 1.3);
       for (const double side : {-1.0, 1.0})
         stroke({head, {head.x - 6.0 * dx + side * 3.0 * dy, head.y - 6.0 * dy - side * 3.0 * dx}},
@@ -161,29 +167,29 @@ class FieldArtist {
 
   void draw_portals() {
     const std::span<const Portal> portals = space_.portals.portals();
-    const std::size_t colors = std::size(pair_inks);
+    const std::size_t colors = std::size(pair_colors);
     for (std::size_t i = 0; i < portals.size(); ++i) {
       const Portal& portal = portals[i];
       const std::size_t first = std::min<std::size_t>(i, portal.pair);
-      const Ink ink = pair_inks[first % colors][i == first ? 0 : 1];
-      Stroke outline{{}, ink, 1.0};
-      for (const Vec3d& vertex : portal.vertices) outline.points.push_back(point_of(vertex));
-      outline.points.push_back(outline.points.front());
-      drawing_.add(std::move(outline));
+      const Color& ink = pair_colors[first % colors][i == first ? 0 : 1];
+      PointChain outline;
+      for (const Vec3d& vertex : portal.vertices) outline.push_back(point_of(vertex));
+      outline.push_back(outline.front());
+      stroke(std::move(outline), ink, 1.0);
       draw_cut(portal, ink);
-      DrawingPoint at = point_of(portal.frame.origin);
+      Point at = point_of(portal.frame.origin);
       const double forwards = dot(portal.frame.normal, across_);
       at.x += 10.0 * forwards;
       at.y += -10.0 * dot(portal.frame.normal, upwards_) + 0.5 * label_height;
       label(at, portal.name,
-            forwards > 0.3    ? Label::Anchor::begin
-            : forwards < -0.3 ? Label::Anchor::end
-                              : Label::Anchor::middle);
+            forwards > 0.3    ? Anchor::start
+            : forwards < -0.3 ? Anchor::end
+                              : Anchor::middle);
     }
   }
 
   /// Where the plane cuts a portal: thick, with teeth on the front.
-  void draw_cut(const Portal& portal, Ink ink) {
+  void draw_cut(const Portal& portal, const Color& ink) {
     const Vec3d normal = cross(across_, upwards_);
     std::vector<Vec3d> ends;
     const std::size_t count = portal.vertices.size();
@@ -193,76 +199,76 @@ class FieldArtist {
       if ((from < 0.0) != (to < 0.0)) ends.push_back(a + (b - a) * (from / (from - to)));
     }
     if (ends.size() != 2) return;
-    const DrawingPoint a = point_of(ends[0]), b = point_of(ends[1]);
+    const Point a = point_of(ends[0]), b = point_of(ends[1]);
     stroke({a, b}, ink, 4.0);
     const double fx = dot(portal.frame.normal, across_), fy = -dot(portal.frame.normal, upwards_);
     const double span = std::hypot(b.x - a.x, b.y - a.y);
     const int teeth = std::clamp(static_cast<int>(span / 8.0), 1, 1000);
     for (int i = 0; i < teeth; ++i) {
       const double share = (i + 0.5) / teeth;
-      const DrawingPoint foot{a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
+      const Point foot{a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
       stroke({foot, {foot.x + 7.0 * fx, foot.y + 7.0 * fy}}, ink, 1.5);
     }
   }
 
   void draw_masses() {
     for (const Mass& mass : space_.masses) {
-      const DrawingPoint center = point_of(mass.center);
+      const Point center = point_of(mass.center);
       const double height = dot(mass.center - plane_.corner, cross(across_, upwards_));
       const double influence2 = mass.influence * mass.influence - height * height;
       if (std::isfinite(influence2) && influence2 > 0.0)
         circle(center, std::sqrt(influence2) * scale_, dark);
-      drawing_.add(Disc{center, std::max(4.0, mass.schwarzschild * scale_), black});
-      label({center.x + 8.0, center.y - 8.0}, mass.name, Label::Anchor::begin);
+      add(Disc{center, std::max(4.0, mass.schwarzschild * scale_), black, {}, "mass"});
+      label({center.x + 8.0, center.y - 8.0}, mass.name, Anchor::start);
     }
   }
 
-  void circle(DrawingPoint center, double radius, Ink ink) {
-    Stroke ring{{}, ink, 1.0};
+  void circle(Point center, double radius, const Color& ink) {
+    PointChain ring;
     constexpr int corners = 180;
     for (int i = 0; i <= corners; ++i) {
       const double angle = 2.0 * std::numbers::pi * i / corners;
-      ring.points.push_back(
-          {center.x + radius * std::cos(angle), center.y + radius * std::sin(angle)});
+      ring.push_back({center.x + radius * std::cos(angle), center.y + radius * std::sin(angle)});
     }
-    drawing_.add(std::move(ring));
+    stroke(std::move(ring), ink, 1.0);
   }
 
   void draw_legend() {
     const double left = 10.0, right = drawing_.width - 10.0, top = rows_ + 8.0;
-    InkCells bar;
+    Cells bar;
     bar.corner = {left, top};
     bar.size = 2.0;
     bar.columns = std::max(1, static_cast<int>((right - left) / bar.size));
     bar.rows = 5;
     for (int row = 0; row < bar.rows; ++row)
       for (int column = 0; column < bar.columns; ++column)
-        bar.inks.push_back(ink_of((column + 0.5) / bar.columns));
-    drawing_.add(std::move(bar));
+        bar.colors.push_back(color_of((column + 0.5) / bar.columns));
+    add(std::move(bar));
     const double span = strengths_.high - strengths_.low;
-    tick(left, top, strengths_.low, Label::Anchor::begin);
+    tick(left, top, strengths_.low, Anchor::start);
     for (double power = std::ceil(strengths_.low); power < strengths_.high; power += 1.0) {
       const double x = left + (power - strengths_.low) / span * (right - left);
-      if (x > left + 60.0 && x < right - 60.0) tick(x, top, power, Label::Anchor::middle);
+      if (x > left + 60.0 && x < right - 60.0) tick(x, top, power, Anchor::middle);
     }
-    tick(right, top, strengths_.high, Label::Anchor::end);
+    tick(right, top, strengths_.high, Anchor::end);
     label({left, top + 40.0},
           fmt::format("acceleration; {}, depth {}; plane {:.4g} x {:.4g}",
                       space_.physics.portal_gravity, space_.physics.portal_gravity_depth,
                       length(plane_.right), length(plane_.up)),
-          Label::Anchor::begin);
+          Anchor::start);
   }
 
-  void tick(double x, double top, double power, Label::Anchor anchor) {
+  void tick(double x, double top, double power, Anchor anchor) {
     stroke({{x, top}, {x, top + 13.0}}, black, 1.0);
     label({x, top + 25.0}, fmt::format("{:.3g}", std::pow(10.0, power)), anchor);
   }
 
-  void stroke(std::vector<DrawingPoint> points, Ink ink, double width) {
-    drawing_.add(Stroke{std::move(points), ink, width});
+  void add(Mark mark) { drawing_.marks.push_back(std::move(mark)); }
+  void stroke(PointChain points, const Color& color, double width) {
+    add(Lines{{std::move(points)}, {color, width}, ""});
   }
-  void label(DrawingPoint at, const std::string& text, Label::Anchor anchor) {
-    drawing_.add(Label{at, text, anchor, black});
+  void label(Point at, const std::string& text, Anchor anchor) {
+    add(Label{at, text, letters, black, anchor, ""});
   }
 
   const Space& space_;

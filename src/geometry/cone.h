@@ -20,6 +20,10 @@ class Cone {
   Cone(Vec3d base, double height, double radius, Vec3d rotation)
       : pose_(base + Vec3d{0, 0.5 * height, 0}, rotation), half_(0.5 * height), radius_(radius) {}
 
+  [[nodiscard]] const Pose& pose() const { return pose_; }
+  [[nodiscard]] double height() const { return 2.0 * half_; }
+  [[nodiscard]] double radius() const { return radius_; }
+
   [[nodiscard]] Box bounds() const;
   [[nodiscard]] std::optional<Contact> intersect(const Ray& ray, double low, double high) const;
   [[nodiscard]] SurfacePoint surface_at(Vec3d x, std::uint32_t face) const;

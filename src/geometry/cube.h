@@ -20,6 +20,9 @@ class Cube {
   /// @param size  lengths of its edges, > 0
   Cube(Vec3d center, Vec3d size, Vec3d rotation) : pose_(center, rotation), half_(size * 0.5) {}
 
+  [[nodiscard]] const Pose& pose() const { return pose_; }
+  [[nodiscard]] Vec3d half() const { return half_; }  ///< of the lengths of its edges
+
   [[nodiscard]] Box bounds() const;
   [[nodiscard]] std::optional<Contact> intersect(const Ray& ray, double low, double high) const;
   [[nodiscard]] SurfacePoint surface_at(Vec3d x, std::uint32_t face) const;

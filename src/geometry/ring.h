@@ -25,6 +25,11 @@ class Ring {
         inner_(inner),
         outer_(outer) {}
 
+  [[nodiscard]] const Pose& pose() const { return pose_; }
+  [[nodiscard]] double height() const { return 2.0 * half_; }
+  [[nodiscard]] double inner_radius() const { return inner_; }
+  [[nodiscard]] double outer_radius() const { return outer_; }
+
   [[nodiscard]] Box bounds() const;
   [[nodiscard]] std::optional<Contact> intersect(const Ray& ray, double low, double high) const;
   [[nodiscard]] SurfacePoint surface_at(Vec3d x, std::uint32_t face) const;

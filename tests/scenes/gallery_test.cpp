@@ -36,11 +36,13 @@ std::vector<std::filesystem::path> scenes() {
   return found;
 }
 
-/// A `portalens render` of the text: its words after `render`.
+/// A `portalens render` or `draw` of the text: its words after that.
 using Command = std::vector<std::string>;
 
-std::vector<Command> commands_in(const std::string& text) {
-  const std::regex line("portalens render (scenes/[^\n]*)");
+/// @param kinds  a regular expression of subcommands
+std::vector<Command> commands_in(const std::string& text,
+                                 const std::string& kinds = "render|draw") {
+  const std::regex line("portalens (?:" + kinds + ") (scenes/[^\n]*)");
   std::vector<Command> commands;
   for (std::sregex_iterator i(text.begin(), text.end(), line), end; i != end; ++i) {
     std::istringstream words((*i)[1].str());
@@ -71,7 +73,7 @@ std::string picture_of(const Command& command) {
 TEST(Gallery, EveryPictureIsMadeOfNumbersAndLosesNoPhoton) {
   int pictures = 0;
   for (const auto& file : scenes()) {
-    for (const Command& command : commands_in(text_of(file))) {
+    for (const Command& command : commands_in(text_of(file), "render")) {
       SCOPED_TRACE(picture_of(command));
       const RenderResult result = render(compile(small_scene_of(command)), {});
       ++pictures;

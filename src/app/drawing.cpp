@@ -1,0 +1,53 @@
+#include "app/drawing.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "app/canvas.h"
+#include "app/drawing_svg.h"
+#include "core/error.h"
+#include "io/files.h"
+#include "io/image.h"
+#include "io/srgb.h"
+
+namespace portalens {
+namespace {
+
+enum class Format { svg, png };
+
+Format format_of(const std::filesystem::path& file) {
+  std::string suffix = file.extension().string();
+  for (char& letter : suffix)
+    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+  if (suffix == ".svg") return Format::svg;
+  if (suffix == ".png") return Format::png;
+  throw SceneError({{Location{}, "can't draw " + file.string() + ": its kind is not known",
+                     "a drawing's name ends in .svg or .png"}});
+}
+
+std::vector<Channel> linear_channels(const Image& image) {
+  std::vector<Channel> channels = {{"R", {}}, {"G", {}}, {"B", {}}};
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    std::vector<float>& values = channels[channel].values;
+    values.reserve(image.pixels.size() / 3);
+    for (std::size_t i = channel; i < image.pixels.size(); i += 3)
+      values.push_back(linear_from_srgb(std::clamp(image.pixels[i], 0.0f, 1.0f)));
+  }
+  return channels;
+}
+
+}  // namespace
+
+void check_drawable(const std::filesystem::path& file) {
+  static_cast<void>(format_of(file));
+  check_replaceable(file);
+}
+
+void write_drawing(const std::filesystem::path& file, const Drawing& drawing) {
+  if (format_of(file) == Format::svg)
+    replace_file(file, svg_text(drawing));
+  else
+    write_image(file, drawing.width, drawing.height, linear_channels(rasterized(drawing)), {});
+}
+
+}  // namespace portalens

@@ -1,0 +1,198 @@
+#include "app/path_marks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "app/scene_marks.h"
+
+namespace portalens {
+namespace {
+
+constexpr std::size_t most_letters = 120;  ///< more crossings than this are only dots
+constexpr std::size_t most_numbers = 12;   ///< more paths than this bear no number
+
+constexpr Color hit_color{0.80, 0.10, 0.10};
+constexpr Color escaped_color{0.10, 0.45, 0.80};
+constexpr Color trapped_color{0.85, 0.50, 0.00};
+constexpr Color lost_color{0.90, 0.00, 0.85};
+constexpr Color white{1, 1, 1};
+
+/// Steps of the whole path in turn in one list or the other. Points that repeat are no step.
+void add_steps(const Journey& journey, const PathStyle& style, Sheet& sheet) {
+  std::vector<std::vector<Vec3d>> green, grey;
+  std::size_t step = 0;
+  for (const std::vector<Vec3d>& stretch : journey.stretches)
+    for (std::size_t i = 1; i < stretch.size(); ++i) {
+      if (stretch[i] == stretch[i - 1] || !is_finite(stretch[i])) continue;
+      const bool odd = step++ / static_cast<std::size_t>(style.steps_a_color) % 2 == 1;
+      (odd ? grey : green).push_back({stretch[i - 1], stretch[i]});
+      if (const auto at = sheet.view().project((stretch[i] + stretch[i - 1]) * 0.5))
+        sheet.keep_free(*at);
+    }
+  sheet.add_lines(green, {ink::green, 2.2}, "path green");
+  sheet.add_lines(grey, {ink::grey, 2.2}, "path grey");
+}
+
+void add_crossings(const World& world, const Journey& journey, std::size_t& number, Sheet& sheet) {
+  for (std::size_t i = 0; i < journey.crossings.size(); ++i, ++number) {
+    const std::uint32_t entered = journey.crossings[i];
+    const auto mark = [&](Vec3d place, std::uint32_t portal) {
+      const auto at = sheet.view().project(place);
+      if (!at) return;
+      const double unit = sheet.unit();
+      const Color color = portal_color(world, portal);
+      sheet.add(Disc{*at, 3.2 * unit, white, {color, 1.8 * unit}, "crossing"});
+      if (number < most_letters)
+        sheet.add_label(*at, 7.0, crossing_letter(number), color, "crossing letter");
+    };
+    mark(journey.stretches[i].back(), entered);
+    mark(journey.stretches[i + 1].front(), world.space.portals.portals()[entered].pair);
+  }
+}
+
+/// What an escaped photon flies on, and the mark at its end; elsewhere the mark at the end.
+void add_end(const Arrival& end, const PathStyle& style, const std::string& number, Sheet& sheet) {
+  if (!is_finite(end.position)) return;
+  Vec3d last = end.position;
+  if (end.fate == Fate::escaped) {
+    const Vec3d farther = last + end.direction * style.beyond;
+    sheet.add_lines({{last, farther}}, {ink::green, 1.3, 4.0}, "beyond");
+    if (sheet.view().project(farther)) last = farther;
+  }
+  const auto at = sheet.view().project(last);
+  if (!at) return;
+  const auto before = sheet.view().project(last - end.direction * (0.05 * style.beyond));
+  for (Mark& mark : fate_marks(end.fate, *at, before ? *at - *before : Point{}, sheet.unit()))
+    sheet.add(std::move(mark));
+  if (!number.empty()) sheet.add_label(*at, 9.0, number, ink::black, "number");
+}
+
+void add_bounces(const Trace& trace, Sheet& sheet) {
+  for (const Arrival& bounce : trace.bounces)
+    if (const auto at = sheet.view().project(bounce.position))
+      sheet.add(bounce_mark(*at, sheet.unit()));
+}
+
+/// The names of the surfaces that are met, each once.
+void add_names_of_met(const World& world, const std::vector<DrawnPath>& paths, Sheet& sheet) {
+  std::set<std::string> named;
+  const auto name = [&](const Arrival& arrival) {
+    if (arrival.met != Met::surface) return;
+    const std::string met = name_of_met(world, arrival);
+    const auto at = sheet.view().project(arrival.position);
+    if (at && named.size() < most_numbers && named.insert(met).second)
+      sheet.add_label(*at, 11.0, met, {0.45, 0.45, 0.48}, "surface name", 0.92);
+  };
+  for (const DrawnPath& path : paths) {
+    for (const Arrival& bounce : path.trace.bounces) name(bounce);
+    name(path.trace.end);
+  }
+}
+
+}  // namespace
+
+std::string crossing_letter(std::size_t number) {
+  std::string letters;
+  for (std::size_t rest = number + 1; rest > 0; rest = (rest - 1) / 26)
+    letters.insert(letters.begin(), static_cast<char>('A' + (rest - 1) % 26));
+  return letters;
+}
+
+std::string told(const World& world, const DrawnPath& path, std::size_t crossing) {
+  const Trace& trace = path.trace;
+  const auto portals = world.space.portals.portals();
+  std::string text = path.name + ": ";
+  std::size_t next = 0;
+  const auto cross = [&](const Arrival& leg) {
+    for (std::uint32_t i = 0; i < leg.crossings && next < trace.journey.crossings.size(); ++i) {
+      const Portal& portal = portals[trace.journey.crossings[next++]];
+      text += fmt::format("{} into {}, out of {}; ", crossing_letter(crossing++), portal.name,
+                          portals[portal.pair].name);
+    }
+  };
+  for (const Arrival& bounce : trace.bounces) {
+    cross(bounce);
+    text += fmt::format("bounces off {}; ", name_of_met(world, bounce));
+  }
+  cross(trace.end);
+  const std::string met = name_of_met(world, trace.end);
+  switch (trace.end.fate) {
+    case Fate::hit:
+      text += "hits " + met;
+      break;
+    case Fate::absorbed:
+      text += "absorbed by " + met;
+      break;
+    case Fate::lost:
+      text += "lost";
+      if (trace.end.crossings >= world.space.max_crossings)
+        text +=
+            fmt::format(" at its next crossing (max_crossings = {})", world.space.max_crossings);
+      break;
+    default:
+      text += fate_names[static_cast<std::size_t>(trace.end.fate)];
+  }
+  return text + fmt::format(" ({} steps, turned {:.0f} degrees)", trace.end.steps,
+                            trace.end.turning * 180.0 / std::numbers::pi);
+}
+
+void add_paths(const World& world, const std::vector<DrawnPath>& paths, const PathStyle& style,
+               Sheet& sheet) {
+  for (const DrawnPath& path : paths) add_steps(path.trace.journey, style, sheet);
+  const bool numbered = paths.size() > 1 && paths.size() <= most_numbers;
+  std::size_t crossing = 0;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    const Trace& trace = paths[i].trace;
+    add_crossings(world, trace.journey, crossing, sheet);
+    add_bounces(trace, sheet);
+    const auto start = sheet.view().project(trace.journey.stretches.front().front());
+    if (start) sheet.add(start_mark(*start, sheet.unit()));
+    add_end(trace.end, style, numbered ? std::to_string(i + 1) : "", sheet);
+  }
+  add_names_of_met(world, paths, sheet);
+}
+
+std::vector<Mark> fate_marks(Fate fate, Point at, Point way, double unit) {
+  const auto square = [&](double r) {
+    return PointChain{{at.x - r, at.y - r},
+                      {at.x + r, at.y - r},
+                      {at.x + r, at.y + r},
+                      {at.x - r, at.y + r},
+                      {at.x - r, at.y - r}};
+  };
+  const double r = 4.0 * unit;
+  switch (fate) {
+    case Fate::hit:
+      return {Disc{at, r, hit_color, {white, unit}, "fate hit"}};
+    case Fate::absorbed:
+      return {Disc{at, r, {0, 0, 0}, {white, 1.6 * unit}, "fate absorbed"}};
+    case Fate::escaped:
+      return {arrow_head(at, way, 12.0 * unit, escaped_color, "fate escaped")};
+    case Fate::trapped:
+      return {Area{square(r), white, "fate trapped"},
+              Lines{{square(r)}, {trapped_color, 2.0 * unit}, "fate trapped"}};
+    case Fate::lost:
+      break;
+  }
+  return {Lines{
+      {{{at.x - r, at.y - r}, {at.x + r, at.y + r}}, {{at.x - r, at.y + r}, {at.x + r, at.y - r}}},
+      {lost_color, 2.6 * unit},
+      "fate lost"}};
+}
+
+Mark start_mark(Point at, double unit) {
+  return Disc{at, 3.2 * unit, white, {ink::black, 1.4 * unit}, "start"};
+}
+
+Mark bounce_mark(Point at, double unit) {
+  const double r = 5.0 * unit;
+  return Area{{{at.x, at.y - r}, {at.x + r, at.y}, {at.x, at.y + r}, {at.x - r, at.y}},
+              hit_color,
+              "bounce"};
+}
+
+}  // namespace portalens

@@ -1,0 +1,41 @@
+/// \file
+/// Photons' paths, drawn: a chain of steps in two colours in turn, with marks where something
+/// happens.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/sheet.h"
+#include "app/trace_ray.h"
+#include "world/world.h"
+
+namespace portalens {
+
+struct DrawnPath {
+  std::string name;  ///< what the user asked for: "pixel 3 4"
+  Trace trace;
+};
+
+struct PathStyle {
+  int steps_a_color = 1;  ///< >= 1
+  double beyond = 1.0;    ///< length that is drawn of what an escaped photon flies on
+};
+
+/// What a path tells of itself, in one line; its crossings have the letters that the drawing has.
+/// @param crossing  number of its first crossing, among all the paths'
+[[nodiscard]] std::string told(const World& world, const DrawnPath& path, std::size_t crossing);
+
+/// The letter of a crossing: A to Z, AA, AB, ...
+[[nodiscard]] std::string crossing_letter(std::size_t number);
+
+/// Steps, crossings, bounces, starts and ends of all the paths.
+void add_paths(const World& world, const std::vector<DrawnPath>& paths, const PathStyle& style,
+               Sheet& sheet);
+
+/// The mark at the end of a photon with that fate, flying `way` on the drawing.
+[[nodiscard]] std::vector<Mark> fate_marks(Fate fate, Point at, Point way, double unit);
+[[nodiscard]] Mark start_mark(Point at, double unit);
+[[nodiscard]] Mark bounce_mark(Point at, double unit);
+
+}  // namespace portalens

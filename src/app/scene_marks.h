@@ -1,0 +1,23 @@
+/// \file
+/// What stands in a scene, drawn: surfaces, influences, portals, horizons, the camera.
+#pragma once
+
+#include <cstdint>
+
+#include "app/sheet.h"
+#include "photon/photon.h"
+#include "world/world.h"
+
+namespace portalens {
+
+/// The portal's colour in drawings: the one that its name names, or the next of a list.
+[[nodiscard]] Color portal_color(const World& world, std::uint32_t portal);
+
+/// Surfaces, influences, portals and horizons, in this order.
+void add_scene(const World& world, Sheet& sheet);
+
+/// The scene's camera, for views from elsewhere.
+/// @param size  of the little pyramid, length
+void add_camera(const World& world, double size, Sheet& sheet);
+
+}  // namespace portalens
