@@ -36,12 +36,12 @@ std::vector<std::filesystem::path> scenes() {
   return found;
 }
 
-/// A `portalens render` or `draw` of the text: its words after that.
+/// A `portalens render`, `draw` or `field` of the text: its words after that.
 using Command = std::vector<std::string>;
 
 /// @param kinds  a regular expression of subcommands
 std::vector<Command> commands_in(const std::string& text,
-                                 const std::string& kinds = "render|draw") {
+                                 const std::string& kinds = "render|draw|field") {
   const std::regex line("portalens (?:" + kinds + ") (scenes/[^\n]*)");
   std::vector<Command> commands;
   for (std::sregex_iterator i(text.begin(), text.end(), line), end; i != end; ++i) {
