@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <concepts>
 
 namespace portalens {
 
@@ -22,7 +23,10 @@ struct Vec3 {
   constexpr Vec3& operator+=(Vec3 b) { return *this = *this + b; }
   constexpr Vec3& operator-=(Vec3 b) { return *this = *this - b; }
   constexpr Vec3& operator*=(Real s) { return *this = *this * s; }
-  friend constexpr bool operator==(const Vec3&, const Vec3&) = default;
+  friend constexpr bool operator==(const Vec3& a,
+                                   const Vec3& b) requires std::floating_point<Real> {
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+  }
 };
 
 template <class Real>

@@ -35,7 +35,8 @@ struct IntegratorList<std::variant<Types...>> {
   [[nodiscard]] static std::optional<std::variant<Types...>> make(
       std::string_view name, const IntegratorSettings& settings) {
     std::optional<std::variant<Types...>> made;
-    ((Types::name == name ? (made.emplace(Types::from(settings)), true) : false) || ...);
+    static_cast<void>(
+        ((Types::name == name ? (made.emplace(Types::from(settings)), true) : false) || ...));
     return made;
   }
 };
