@@ -74,7 +74,7 @@ PaperMethod::PaperMethod(const Space& space, double step, int depth)
   double reach = 0.0;
   if (depth > 0)
     for (const Mass& mass : space.masses) reach = std::fmax(reach, mass.influence);
-  // Ours, not the paper's (physics.md, sec. 5), so that both follow the same light.
+  // Ours, not the paper's (equations.md, sec. 5), so that both follow the same light.
   const auto* coupling = std::get_if<ClosestPointCoupling>(&space.coupling);
   const auto portals = static_cast<std::uint32_t>(space.portals.portals().size());
   for (int k = 0; k <= depth; ++k)

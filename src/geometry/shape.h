@@ -10,7 +10,7 @@
 ///   SurfacePoint surface_at(Vec3d x, std::uint32_t face) const;   x lies on that face
 ///   double clearance(const Segment&) const;
 ///       a lower bound of the distance between the segment and the surface, 0 if unsure
-///   Vec3d center_of_mass() const;                      physics.md, section 2
+///   Vec3d center_of_mass() const;                      equations.md, section 2
 ///   double area() const;
 ///   SurfacePoint sample(double u1, double u2) const;   uniform by area
 /// and is immutable. A contact doesn't depend, to the bit, on `low` and `high`, which only select:

@@ -1,6 +1,6 @@
 /// \file
 /// `closest-point`: each portal pulls as its pair's surroundings pull the point of the face that is
-/// nearest. Dunigan & Pianta, sec. 6; physics.md, sec. 5.
+/// nearest. Dunigan & Pianta, sec. 6; equations.md, sec. 5.
 ///
 ///     g_k(x) = g0(x) + Σ_A R_A⁻¹ g_{k-1}(T_A q_A(x))     over A with |x - q_A(x)| < reach_A(k)
 ///

@@ -1,5 +1,5 @@
 /// \file
-/// The list of couplings: ways in which gravity reaches through portals. physics.md, sec. 5.
+/// The list of couplings: ways in which gravity reaches through portals. equations.md, sec. 5.
 ///
 /// To add one: a header beside this one, and a word in `Coupling`. Each type has
 ///   static constexpr std::string_view name;               as `physics.portal_gravity` spells it

@@ -1,6 +1,6 @@
 /// \file
 /// `graviton-map`: `closest-point` with what each portal passes on kept in a grid on its face. The
-/// future work of Dunigan & Pianta, sec. 8; physics.md, sec. 5.
+/// future work of Dunigan & Pianta, sec. 8; equations.md, sec. 5.
 ///
 /// Nodes lie on the portal's bounding rectangle in (right, up), corners included,
 /// `graviton_resolution` of them along the longer side, at the same or a smaller spacing across;

@@ -1,5 +1,5 @@
 /// \file
-/// A mass, with the radii that follow from it. Dunigan & Pianta, sec. 5; physics.md, sec. 2.
+/// A mass, with the radii that follow from it. Dunigan & Pianta, sec. 5; equations.md, sec. 2.
 #pragma once
 
 #include <cmath>

@@ -1,6 +1,6 @@
 /// \file
 /// A portal's polygon, ready for the questions that gravity asks: what of it is nearest to a point,
-/// and whether a straight way runs through it. physics.md, sec. 5.
+/// and whether a straight way runs through it. equations.md, sec. 5.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 /// \file
 /// `portal-mass`: each portal stands for one mass at its centroid. Dunigan & Pianta, sec. 8;
-/// physics.md, sec. 5. The cheapest way and the crudest, kept to compare.
+/// equations.md, sec. 5. The cheapest way and the crudest, kept to compare.
 ///
 ///     M_A = Σ M_i a² / (a² + d_i²),  a = sqrt(area / π) = core radius,  R = sqrt(G M_A / f)
 ///

@@ -1,6 +1,6 @@
 /// \file
 /// `shortest-path`: each mass acts along the shortest way to it, directly and through each chain of
-/// portals. Ours; physics.md, sec. 5.
+/// portals. Ours; equations.md, sec. 5.
 ///
 /// A chain A1 … Ak (never straight back through a pair) is unfolded: the mass and the faces behind
 /// A1 are carried to where they seem to be. With D the length of the shortest way over the faces,

@@ -1,5 +1,5 @@
 /// \file
-/// The shortest way from a point to another through a row of faces, unfolded: physics.md, sec. 5.
+/// The shortest way from a point to another through a row of faces, unfolded: equations.md, sec. 5.
 ///
 /// A way crosses the inside of a face only straight and from front to back; else it bends on the
 /// face's rim. For one face the best point of an edge has a closed form (`best_place`). For several

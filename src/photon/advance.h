@@ -1,5 +1,5 @@
 /// \file
-/// The way of one photon, from its start to its fate: physics.md, sec. 1 and 6.
+/// The way of one photon, from its start to its fate: equations.md, sec. 1 and 6.
 #pragma once
 
 #include <array>

@@ -11,7 +11,7 @@
 
 namespace portalens {
 
-/// How a photon ends; physics.md, sec. 6.
+/// How a photon ends; equations.md, sec. 6.
 enum class Fate : std::uint8_t { hit, absorbed, escaped, trapped, lost };
 inline constexpr int fate_count = 5;
 inline constexpr std::array<std::string_view, fate_count> fate_names = {

@@ -1,6 +1,6 @@
 /// \file
 /// A portal: a one-sided convex planar polygon, and the motion that leads through it.
-/// Dunigan & Pianta, sec. 4; the map is physics.md, sec. 4.
+/// Dunigan & Pianta, sec. 4; the map is equations.md, sec. 4.
 #pragma once
 
 #include <cstdint>

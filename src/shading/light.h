@@ -1,5 +1,5 @@
 /// \file
-/// What gives light: points, and surfaces that emit. physics.md, sec. 7.
+/// What gives light: points, and surfaces that emit. equations.md, sec. 7.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 /// \file
-/// How a surface answers light. physics.md, sec. 7.
+/// How a surface answers light. equations.md, sec. 7.
 #pragma once
 
 #include <string>

@@ -11,7 +11,7 @@ namespace {
 constexpr double light_margin = 1e-6;
 
 /// How far surfaces that lie in a portal's plane reach in front of it, relative to its size: at a
-/// tie the portal comes first (physics.md, sec. 6).
+/// tie the portal comes first (equations.md, sec. 6).
 constexpr double portal_margin = 1e-8;
 
 struct Stretch {

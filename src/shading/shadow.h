@@ -1,5 +1,5 @@
 /// \file
-/// Shadow queries: whether a light's point is seen from a surface's. physics.md, sec. 7.
+/// Shadow queries: whether a light's point is seen from a surface's. equations.md, sec. 7.
 #pragma once
 
 #include <cstdint>

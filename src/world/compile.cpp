@@ -54,7 +54,7 @@ std::string in_pulls(double cost, double budget) {
 }
 
 /// `closest-point` needs finite reaches; and whatever the coupling, its cost stays bounded.
-/// physics.md, sec. 5.
+/// equations.md, sec. 5.
 void check_portal_gravity(const Scene& scene, const Physics& physics, const Objects& objects,
                           Faults& faults) {
   if (objects.portals.empty() || physics.portal_gravity_depth == 0) return;

@@ -1,5 +1,5 @@
 /// \file
-/// Reading `[[portal]]` tables, and joining them in pairs. physics.md, sec. 4.
+/// Reading `[[portal]]` tables, and joining them in pairs. equations.md, sec. 4.
 #pragma once
 
 #include <optional>

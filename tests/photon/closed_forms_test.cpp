@@ -1,4 +1,4 @@
-// One mass against its closed forms: physics.md, sec. 3.
+// One mass against its closed forms: equations.md, sec. 3.
 #include "support/closed_forms.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The motion through a pair of portals: physics.md, sec. 4.
+// The motion through a pair of portals: equations.md, sec. 4.
 #include "portal/portal.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 /// \file
-/// The closed forms of one mass without a core (physics.md, sec. 3), by Gauss-Legendre quadrature
+/// The closed forms of one mass without a core (equations.md, sec. 3), by Gauss-Legendre quadrature
 /// in long double: they share no code with what they test.
 #pragma once
 

@@ -10,7 +10,7 @@
 
 namespace portalens::test {
 
-/// The constants of physics.md, sec. 3: m = 0.98765, R = 447.21.
+/// The constants of equations.md, sec. 3: m = 0.98765, R = 447.21.
 inline constexpr double standard_gm = 2000.0;
 
 /// A mass with the radii that follow from the physics.
