@@ -2,6 +2,7 @@
 /// `portalens render --layers`, and what `--stats` says of lost photons.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -85,7 +86,9 @@ TEST(Layers, TellOfEachPixelWhatTraceTellsOfItsFirstSample) {
   test::Random random(7);
   std::vector<std::string> words = {"trace", "scene.toml", "--json", "--sample", "0"};
   std::vector<std::size_t> pixels;
-  for (int i = 0; i < test::scaled(1000); ++i) {
+  // Enough at every scale to meet each of the three fates.
+  const int count = std::max(300, test::scaled(1000));
+  for (int i = 0; i < count; ++i) {
     const int x = static_cast<int>(random.uniform(0, 40)),
               y = static_cast<int>(random.uniform(0, 30));
     pixels.push_back(static_cast<std::size_t>(y * 40 + x));
