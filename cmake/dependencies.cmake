@@ -8,6 +8,7 @@ find_package(CLI11 2.1 REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(tinyobjloader REQUIRED)
 find_package(Threads REQUIRED)
+find_package(ZLIB REQUIRED)
 pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
 pkg_check_modules(xsimd REQUIRED IMPORTED_TARGET xsimd)
 if(PORTALENS_TESTS)
@@ -18,4 +19,4 @@ add_library(portalens_dependencies INTERFACE)
 target_link_libraries(portalens_dependencies INTERFACE
   embree TBB::tbb OpenImageIO::OpenImageIO fmt::fmt CLI11::CLI11
   nlohmann_json::nlohmann_json tinyobjloader::tinyobjloader PkgConfig::tomlplusplus
-  PkgConfig::xsimd Threads::Threads)
+  PkgConfig::xsimd Threads::Threads ZLIB::ZLIB)

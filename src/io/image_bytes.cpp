@@ -1,5 +1,7 @@
 #include "io/image_bytes.h"
 
+#include <zlib.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -31,21 +33,30 @@ std::string bare_jpeg(std::string_view bytes) {
   return result += bytes.substr(std::min(at, bytes.size()));
 }
 
+std::size_t word_at(std::string_view bytes, std::size_t at) {
+  std::size_t word = 0;
+  for (std::size_t i = 0; i < 4; ++i) word = word << 8 | byte_at(bytes, at + i);
+  return word;
+}
+
 /// PNG: chunks of length, name, data, checksum. What a name in lower case begins can be left out.
-std::string bare_png(std::string_view bytes) {
-  constexpr std::size_t signature = 8;
+std::optional<std::string> bare_png(std::string_view bytes) {
+  constexpr std::size_t signature = 8, frame = 12;
   std::string result(bytes.substr(0, signature));
-  std::size_t at = signature;
-  while (at + 12 <= bytes.size()) {
-    std::size_t length = 12;
-    for (std::size_t i = 0; i < 4; ++i) length += byte_at(bytes, at + i) << (24 - 8 * i);
-    if (at + length > bytes.size()) break;
-    const std::string_view name = bytes.substr(at + 4, 4);
+  std::string_view name;
+  for (std::size_t at = signature; name != "IEND";) {
+    if (at + frame > bytes.size()) return std::nullopt;
+    const std::size_t length = word_at(bytes, at);
+    if (length > bytes.size() - at - frame) return std::nullopt;
+    name = bytes.substr(at + 4, 4);
+    const std::string_view named = bytes.substr(at + 4, 4 + length);
+    const auto* data = reinterpret_cast<const Bytef*>(named.data());
+    if (crc32_z(0, data, named.size()) != word_at(bytes, at + 8 + length)) return std::nullopt;
     const bool needed = name[0] >= 'A' && name[0] <= 'Z';
-    if (needed || name == "tRNS") result += bytes.substr(at, length);
-    at += length;
+    if (needed || name == "tRNS") result += bytes.substr(at, frame + length);
+    at += frame + length;
   }
-  return result += bytes.substr(std::min(at, bytes.size()));
+  return result;
 }
 
 }  // namespace
@@ -61,7 +72,7 @@ std::optional<ImageFormat> image_format(std::string_view bytes) {
   return std::nullopt;
 }
 
-std::string without_descriptions(std::string bytes, ImageFormat format) {
+std::optional<std::string> without_descriptions(std::string bytes, ImageFormat format) {
   if (format == ImageFormat::jpeg) return bare_jpeg(bytes);
   if (format == ImageFormat::png) return bare_png(bytes);
   return bytes;

@@ -14,7 +14,10 @@ enum class ImageFormat { exr, png, hdr, jpeg };
 [[nodiscard]] std::optional<ImageFormat> image_format(std::string_view bytes);
 
 /// The same picture without what only describes it: camera data, comments, colour profiles.
-/// Decoders have been crashed through those. EXR and HDR come back as they are.
-[[nodiscard]] std::string without_descriptions(std::string bytes, ImageFormat format);
+/// Decoders have been crashed through those. EXR and HDR come back as they are. Nothing for a PNG
+/// whose chunks are cut off or differ from their checksums: there libpng leaves its caller by a
+/// long jump, over what OpenImageIO has yet to free.
+[[nodiscard]] std::optional<std::string> without_descriptions(std::string bytes,
+                                                              ImageFormat format);
 
 }  // namespace portalens

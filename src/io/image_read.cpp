@@ -157,7 +157,10 @@ auto read_picture(const std::filesystem::path& file, const Location& asked_at, F
     return std::nullopt;
   }
   try {
-    return decoded(without_descriptions(std::move(*bytes), *format), *format);
+    const auto bare = without_descriptions(std::move(*bytes), *format);
+    if (!bare)
+      throw Refusal{"is broken: cut off, or changed after it was written", "save it again"};
+    return decoded(*bare, *format);
   } catch (const Refusal& refusal) {
     faults.add(asked_at, name + refusal.problem, refusal.remedy);
   } catch (const std::bad_alloc&) {
