@@ -20,7 +20,7 @@
 /// and is immutable. It may have
 ///   double calm(Vec3d x) const;
 ///       a lower bound of the distance from x to the nearest place where a part of it begins or
-///       ends to act, so that long steps don't overlook what they graze
+///       ends to act, or of another decision that long steps could overlook when they graze it
 /// A coupling that acts infinitely far falls off with the square of the distance, and pulls towards
 /// the portals.
 #pragma once

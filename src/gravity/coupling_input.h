@@ -17,6 +17,7 @@ struct CouplingInput {
   double min_force = 0.01;       ///< f, length/time²
   int depth = 1;                 ///< portals in a row, >= 0; 0 = none
   int graviton_resolution = 32;  ///< nodes along a portal's longer side, >= 2
+  double unfelt = 0.0;  ///< c² times a turning that does not matter, (length/time)²; 0: all do
 };
 
 /// What a coupling will cost, in pulls of one mass or of like size; an estimate from above.

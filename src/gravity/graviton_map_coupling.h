@@ -7,6 +7,10 @@
 /// each holds the exact R_A⁻¹ g_{k-1}(T_A q), outside of the polygon too. Between the four nearest
 /// it is bilinear. One look-up a portal, whatever the depth; the error falls with the square of the
 /// spacing wherever the field is smooth.
+///
+/// The lines of the grid are decisions only beside cells whose kinks could be felt: where they put
+/// the field off by so much that over the whole reach it would turn light by more than a share of
+/// the tolerance.
 #pragma once
 
 #include <cstdint>
@@ -14,6 +18,7 @@
 #include <vector>
 
 #include "gravity/closest_point_coupling.h"
+#include "gravity/graviton_grid.h"
 
 namespace portalens {
 
@@ -33,7 +38,8 @@ class GravitonMapCoupling {
   [[nodiscard]] Pull pull(Vec3d x, Vec3d anchor) const;
   [[nodiscard]] std::uint64_t signature(Vec3d x) const;
   [[nodiscard]] double quiet(Vec3d x) const { return exact_.quiet(x); }
-  [[nodiscard]] double calm(Vec3d x) const { return exact_.calm(x); }
+  /// Of the reaches of all portals, and of sharp cells.
+  [[nodiscard]] double calm(Vec3d x) const;
 
   /// One part a portal: its look-up. `places` has the nearest point of the face, `beyond` is that
   /// point moved through, and `distance` how far it is.
@@ -41,31 +47,24 @@ class GravitonMapCoupling {
 
   /// The coupling that the map stands for.
   [[nodiscard]] const ClosestPointCoupling& exact() const { return exact_; }
+  /// @pre its reach is positive
+  [[nodiscard]] const GravitonGrid& grid(std::uint32_t portal) const { return grids_[portal]; }
   /// Compares the map of one portal with `exact()` in the cells whose middle is on the face.
   [[nodiscard]] GravitonMapError error(std::uint32_t portal) const;
 
  private:
-  struct Grid {
-    double low_x = 0.0, low_y = 0.0, spacing_x = 1.0, spacing_y = 1.0;
-    std::uint32_t count_x = 0, count_y = 0;
-    std::size_t first = 0;  ///< of its nodes
-  };
   /// Where on a portal's face a point draws from.
   struct Draw {
     Feature feature;
-    std::uint32_t i = 0, j = 0;  ///< cell
+    GravitonGrid::Cell cell;
+    GravitonGrid::Kind kind;
   };
 
   [[nodiscard]] bool draws(std::uint32_t portal, Vec3d x, Draw& draw) const;
-  [[nodiscard]] Pull interpolate(const Grid& grid, const Draw& draw, Vec3d place) const;
-  [[nodiscard]] const Pull& node(const Grid& grid, std::uint32_t i, std::uint32_t j) const {
-    return nodes_[grid.first + static_cast<std::size_t>(j) * grid.count_x + i];
-  }
-  void add_grid(std::uint32_t portal, int resolution);
+  [[nodiscard]] GravitonGrid grid_on(std::uint32_t portal, const CouplingInput& input) const;
 
   ClosestPointCoupling exact_;
-  std::vector<Grid> grids_;
-  std::vector<Pull> nodes_;
+  std::vector<GravitonGrid> grids_;  ///< one a portal
 };
 
 }  // namespace portalens

@@ -16,7 +16,8 @@ Space::Space(Physics the_physics, std::uint32_t crossings, std::vector<Shape> sh
       coupling(
           make_coupling(physics.portal_gravity, {portals.portals(), masses, physics.min_force,
                                                  static_cast<int>(physics.portal_gravity_depth),
-                                                 static_cast<int>(physics.graviton_resolution)})) {
+                                                 static_cast<int>(physics.graviton_resolution),
+                                                 physics.tolerance * physics.c * physics.c})) {
   Box box = surfaces.bounds();
   for (const Portal& portal : portals.portals())
     for (const Vec3d& vertex : portal.vertices) box.add(vertex);

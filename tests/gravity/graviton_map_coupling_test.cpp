@@ -52,6 +52,54 @@ TEST(GravitonMapCoupling, IsClosestPointToWithinItsError) {
   }
 }
 
+TEST(GravitonMapCoupling, DecidesAtLinesOnlyWhereTheirKinksCouldBeFelt) {
+  Random random(34);
+  for (int round = 0; round < scaled(20); ++round) {
+    const PortalScene scene = smooth_scene(random);
+    CouplingInput input = scene.input(1, 33);
+    const GravitonMapCoupling strict(input);
+    input.unfelt = 1e-3;
+    const GravitonMapCoupling middling(input);
+    input.unfelt = 1e6;
+    const GravitonMapCoupling lax(input);
+    const Frame& frame = scene.portals[0].frame;
+    int strict_changes = 0, middling_changes = 0;
+    for (int i = 0; i < 200; ++i) {
+      // In front of the middle of the face, where nothing changes but the cell.
+      const auto place = [&] {
+        return frame.to_world({random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1), 1.0});
+      };
+      const Vec3d a = place(), b = place();
+      EXPECT_EQ(lax.signature(a), lax.signature(b));
+      strict_changes += strict.signature(a) != strict.signature(b);
+      middling_changes += middling.signature(a) != middling.signature(b);
+      EXPECT_EQ(lax.pull(b, a).acceleration, strict.pull(b, b).acceleration);
+    }
+    EXPECT_GT(strict_changes, 50);
+    EXPECT_LE(middling_changes, strict_changes);
+  }
+}
+
+TEST(GravitonMapCoupling, HasNoSharpCellWithinItsCalm) {
+  // Nodes of a random field that is even but for some.
+  Random random(35);
+  for (int round = 0; round < scaled(20); ++round) {
+    GravitonGrid grid(-1.0, -0.7, 1.0, 0.7, 30);
+    grid.fill([&](Vec3d) { return Pull{{0, 0, random.uniform(0, 1) < 0.005 ? 2.0 : 1.0}}; }, 0.1);
+    for (int i = 0; i < 300; ++i) {
+      const Vec3d from{random.uniform(-1, 1), random.uniform(-0.7, 0.7), 0.0};
+      const GravitonGrid::Cell cell = grid.cell_at(from);
+      if (grid.to_sharp(cell) == 0) continue;
+      const double calm = grid.calm(cell, from) * (1.0 - 1e-9);
+      EXPECT_GT(calm, 0.0);
+      for (int k = 0; k < 20; ++k) {
+        const Vec3d way = random.direction() * (std::min(calm, 3.0) * random.uniform(0.5, 1.0));
+        EXPECT_NE(grid.kind(grid.cell_at(from + way)), GravitonGrid::Kind::sharp);
+      }
+    }
+  }
+}
+
 TEST(GravitonMapCoupling, IsExactAtItsNodes) {
   Random random(33);
   for (int round = 0; round < scaled(20); ++round) {
