@@ -28,4 +28,7 @@ template <class Real>
   return Real(0.1) + Real(10.0) * m2 / (b2 + Real(2.0) * m2);
 }
 
+/// Stands for `path_weight` where a mass acts through a portal: light can't come near it.
+inline constexpr double distant_weight = 0.3;
+
 }  // namespace portalens

@@ -122,9 +122,6 @@ class Field {
   }
 
  private:
-  /// Stands for `path_weight` where a mass acts through a portal: light can't come near it.
-  static constexpr double distant_weight = 0.3;
-
   std::span<const Mass> masses_;
   const C& coupling_;
   double inverse_c2_;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "gravity/graviton_bilinear.h"
+
 namespace portalens {
 
 namespace {

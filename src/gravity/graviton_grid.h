@@ -10,13 +10,6 @@
 
 namespace portalens {
 
-/// Between four corners of a cell, at the shares u and v of its sides; for `double` and for packs.
-template <class Value, class Real>
-[[nodiscard]] Value bilinear(Value a, Value b, Value c, Value d, Real u, Real v) {
-  const Real rest_u = Real(1.0) - u, rest_v = Real(1.0) - v;
-  return (a * rest_u + b * u) * rest_v + (c * rest_u + d * u) * v;
-}
-
 /// Nodes on a rectangle, its corners included. A cell is named by its lower left node.
 ///
 /// What is interpolated has kinks at the lines of the grid. A cell with a kink that could be felt

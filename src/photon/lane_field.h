@@ -5,20 +5,10 @@
 
 #include "gravity/attraction.h"
 #include "math/vec3.h"
+#include "photon/lane_rectangle.h"
 #include "photon/lane_scene.h"
 
 namespace portalens {
-
-template <class R>
-Vec3<R> spread(LaneVec v) {
-  return {R(v.x), R(v.y), R(v.z)};
-}
-
-/// In local coordinates of a frame.
-template <class R>
-Vec3<R> to_axes(Vec3<R> d, LaneVec right, LaneVec up, LaneVec normal) {
-  return {dot(d, spread<R>(right)), dot(d, spread<R>(up)), dot(d, spread<R>(normal))};
-}
 
 template <class R>
 struct LaneBending {
@@ -31,9 +21,7 @@ template <class R>
 struct LaneField {
   const LaneScene& scene;
   R inside[most_lane_masses];  ///< G M / c² where the influence holds, else 0
-  // The point of a gate's rectangle: q.x = keep_x · local.x + fix_x, and so on.
-  R keep_x[most_lane_gates], fix_x[most_lane_gates], keep_y[most_lane_gates],
-      fix_y[most_lane_gates];
+  LaneFoot<R> feet[most_lane_gates];
   R seen[most_lane_gates][most_lane_masses];  ///< as `inside`, through the gate
   typename R::Mask acting;
 
@@ -54,9 +42,9 @@ struct LaneField {
       const LaneGate& gate = scene.gates[g];
       const Vec3<R> local = local_of(g, anchor, qx, qy);
       const R above = gate.parent < 0 ? R(1) : reached[gate.parent];
-      decide_place(g, local);
-      qx[g] = keep_x[g] * local.x + fix_x[g];
-      qy[g] = keep_y[g] * local.y + fix_y[g];
+      feet[g] = foot_on(gate, local);
+      qx[g] = feet[g].x(local);
+      qy[g] = feet[g].y(local);
       const R dx = local.x - qx[g], dy = local.y - qy[g];
       const auto near = (dx * dx + dy * dy + local.z * local.z < R(gate.reach2)) & (above > R(0));
       reached[g] = select(near, R(1), R(0));
@@ -99,25 +87,24 @@ struct LaneField {
 
   /// Arc length along the parabola x + t s + bend s²/2 to the next place where a decision changes.
   [[nodiscard]] R boundary(Vec3<R> x, Vec3<R> t, Vec3<R> bend) const {
-    R least = R(scene.farthest);
+    const R never(scene.farthest);
+    R least = never;
     for (int i = 0; i < scene.mass_count; ++i) {
       const LaneMass& mass = scene.masses[i];
-      least = min(least, shell(x - spread<R>(mass.center), t, bend, R(mass.influence2)));
+      least =
+          min(least, until_shell(x - spread<R>(mass.center), t, bend, R(mass.influence2), never));
     }
     for (int g = 0; g < scene.gate_count; ++g) {
       const LaneGate& gate = scene.gates[g];
       if (gate.parent >= 0) continue;
       const Vec3<R> local = to_axes(x - spread<R>(gate.origin), gate.right, gate.up, gate.normal);
       const Vec3<R> way = to_axes(t, gate.right, gate.up, gate.normal);
-      least = min(least, gate_boundary(g, local, way));
+      least = min(least, until_other_foot(gate, feet[g], local, way, never));
     }
     return least;
   }
 
  private:
-  /// As `Field` has it.
-  static constexpr float distant_weight = 0.3f;
-
   struct Source {
     R inverse2, pull;  ///< 1/d² and m/d³
   };
@@ -139,8 +126,8 @@ struct LaneField {
     R ax[most_lane_gates], ay[most_lane_gates], az[most_lane_gates];
     for (int g = 0; g < scene.gate_count; ++g) {
       const Vec3<R> local = local_of(g, x, qx, qy);
-      qx[g] = keep_x[g] * local.x + fix_x[g];
-      qy[g] = keep_y[g] * local.y + fix_y[g];
+      qx[g] = feet[g].x(local);
+      qy[g] = feet[g].y(local);
       ax[g] = ay[g] = az[g] = R(0);
       for (int i = 0; i < scene.mass_count; ++i) {
         const Vec3<R> to_mass = spread<R>(scene.gates[g].images[i]) - Vec3<R>{qx[g], qy[g], R(0)};
@@ -176,68 +163,6 @@ struct LaneField {
       return to_axes(x - spread<R>(gate.origin), gate.right, gate.up, gate.normal);
     return spread<R>(gate.offset) + spread<R>(gate.by_x) * qx[gate.parent] +
            spread<R>(gate.by_y) * qy[gate.parent];
-  }
-
-  /// The nearest point of the rectangle from in front, of its rim from behind.
-  void decide_place(int g, Vec3<R> local) {
-    const LaneGate& gate = scene.gates[g];
-    const R w(gate.half_width), h(gate.half_height);
-    const auto inside_x = abs(local.x) <= w, inside_y = abs(local.y) <= h;
-    keep_x[g] = select(inside_x, R(1), R(0));
-    keep_y[g] = select(inside_y, R(1), R(0));
-    const R side_x = select(local.x < R(0), -w, w), side_y = select(local.y < R(0), -h, h);
-    fix_x[g] = select(inside_x, R(0), side_x);
-    fix_y[g] = select(inside_y, R(0), side_y);
-    const auto wraps = (local.z < R(-gate.tolerance)) & inside_x & inside_y;
-    const auto to_side = w - abs(local.x) < h - abs(local.y);
-    keep_x[g] = select(wraps & to_side, R(0), keep_x[g]);
-    fix_x[g] = select(wraps & to_side, side_x, fix_x[g]);
-    keep_y[g] = select(wraps & !to_side, R(0), keep_y[g]);
-    fix_y[g] = select(wraps & !to_side, side_y, fix_y[g]);
-  }
-
-  /// Where |from + t s + bend s²/2|² = radius2 for the next time, s > 0.
-  [[nodiscard]] R shell(Vec3<R> from, Vec3<R> t, Vec3<R> bend, R radius2) const {
-    const R speed2 = dot(t, t), along = dot(from, t), outside = dot(from, from) - radius2;
-    const R square = along * along - outside * speed2;
-    const R root = sqrt(max(square, R(0)));
-    // The stable one of the two forms of each solution.
-    const R inward = select(along > R(0), -outside / (along + root), (root - along) / speed2);
-    R s = select(outside < R(0), inward, (-along - root) / speed2);
-    const Vec3<R> at = from + t * s + bend * (s * s * R(0.5));
-    const R slope = R(2) * dot(at, t + bend * s);
-    const R better = s - (dot(at, at) - radius2) / slope;
-    s = select((abs(better - s) < abs(s) * R(0.5)) & (better > R(0)), better, s);
-    return select((square > R(0)) & (s > R(0)) & (speed2 > R(0)), s, R(scene.farthest));
-  }
-
-  /// When height `a` that changes at rate `v` reaches 0, if it will.
-  [[nodiscard]] R until_zero(R a, R v) const {
-    const R s = -a / v;
-    return select((s > R(0)) & (abs(v) > R(1e-12)), s, R(scene.farthest));
-  }
-
-  [[nodiscard]] R gate_boundary(int g, Vec3<R> local, Vec3<R> way) const {
-    const LaneGate& gate = scene.gates[g];
-    const R w(gate.half_width), h(gate.half_height);
-    R least = until_zero(local.z, way.z);
-    least = min(least, until_zero(local.x - w, way.x));
-    least = min(least, until_zero(local.x + w, way.x));
-    least = min(least, until_zero(local.y - h, way.y));
-    least = min(least, until_zero(local.y + h, way.y));
-    // Behind the rectangle, the nearest edge changes: at the middle planes and the bisectors.
-    const R gap = h - w;
-    R medial = min(until_zero(local.x, way.x), until_zero(local.y, way.y));
-    medial = min(medial, until_zero(local.x - local.y + gap, way.x - way.y));
-    medial = min(medial, until_zero(local.x - local.y - gap, way.x - way.y));
-    medial = min(medial, until_zero(local.x + local.y + gap, way.x + way.y));
-    medial = min(medial, until_zero(local.x + local.y - gap, way.x + way.y));
-    const auto behind = (local.z < R(0)) & (abs(local.x) < w) & (abs(local.y) < h);
-    least = select(behind, min(least, medial), least);
-    const Vec3<R> from{local.x - (keep_x[g] * local.x + fix_x[g]),
-                       local.y - (keep_y[g] * local.y + fix_y[g]), local.z};
-    const Vec3<R> rate{way.x * (R(1) - keep_x[g]), way.y * (R(1) - keep_y[g]), way.z};
-    return min(least, shell(from, rate, {R(0), R(0), R(0)}, R(gate.reach2)));
   }
 };
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <variant>
 
+#include "photon/lane_couplings.h"
+#include "photon/lane_shapes.h"
 #include "photon/nystrom.h"
 #include "photon/space.h"
 
@@ -12,94 +14,6 @@ namespace {
 
 /// Floats can't keep a finer one.
 constexpr double finest_tolerance = 1e-5;
-
-LaneVec narrow(Vec3d v) {
-  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
-
-/// Half width and height of a portal that is a rectangle about its frame, else 0 and 0.
-struct Rectangle {
-  double half_width = 0.0, half_height = 0.0;
-};
-
-Rectangle rectangle_of(const Portal& portal) {
-  if (portal.vertices.size() != 4) return {};
-  const Vec3d corner = portal.frame.to_local(portal.vertices[2]);
-  const Vec3d expected[4] = {{-corner.x, -corner.y, 0},
-                             {corner.x, -corner.y, 0},
-                             {corner.x, corner.y, 0},
-                             {-corner.x, corner.y, 0}};
-  for (int i = 0; i < 4; ++i)
-    if (length(portal.frame.to_local(portal.vertices[i]) - expected[i]) >
-        1e-9 * portal.longest_edge)
-      return {};
-  return {corner.x, corner.y};
-}
-
-/// Builds the tree of gates that `closest-point` recurses through.
-class GatePlanner {
- public:
-  GatePlanner(const Space& space, const ClosestPointCoupling& coupling, Vec3d center,
-              LaneScene& scene)
-      : space_(space), coupling_(coupling), center_(center), scene_(scene) {}
-
-  /// False if there is not room enough.
-  [[nodiscard]] bool plan() { return add(coupling_.depth(), -1, no_portal, nullptr); }
-
- private:
-  [[nodiscard]] bool add(int depth, int parent, std::uint32_t left_out, const Portal* entered) {
-    const auto portals = space_.portals.portals();
-    if (depth <= 0) return true;
-    for (std::uint32_t a = 0; a < portals.size(); ++a) {
-      const double reach = coupling_.reach(a, depth);
-      if (a == left_out || !(reach > 0.0)) continue;
-      if (scene_.gate_count == most_lane_gates) return false;
-      const int index = scene_.gate_count++;
-      fill(scene_.gates[index], portals[a], reach, parent, entered);
-      if (!add(depth - 1, index, portals[a].pair, &portals[a])) return false;
-    }
-    return true;
-  }
-
-  void fill(LaneGate& gate, const Portal& portal, double reach, int parent,
-            const Portal* entered) const {
-    const Frame& frame = portal.frame;
-    const Frame& beyond = space_.portals.portals()[portal.pair].frame;
-    const Rectangle rectangle = rectangle_of(portal);
-    gate = {};
-    gate.parent = parent;
-    gate.origin = narrow(frame.origin - center_);
-    gate.right = narrow(frame.right);
-    gate.up = narrow(frame.up);
-    gate.normal = narrow(frame.normal);
-    if (entered) {
-      const Frame& out = space_.portals.portals()[entered->pair].frame;
-      gate.offset = narrow(frame.to_local(out.origin));
-      gate.by_x = narrow(frame.direction_to_local(-out.right));
-      gate.by_y = narrow(frame.direction_to_local(out.up));
-      const auto back = [&](Vec3d axis) {
-        return narrow({-dot(axis, out.right), dot(axis, out.up), -dot(axis, out.normal)});
-      };
-      gate.to_parent_x = back(frame.right);
-      gate.to_parent_y = back(frame.up);
-      gate.to_parent_z = back(frame.normal);
-    }
-    gate.half_width = static_cast<float>(rectangle.half_width);
-    gate.half_height = static_cast<float>(rectangle.half_height);
-    gate.tolerance = static_cast<float>(portal.height_tolerance());
-    gate.reach = static_cast<float>(reach);
-    gate.reach2 = gate.reach * gate.reach;
-    for (std::size_t i = 0; i < space_.masses.size(); ++i) {
-      const Vec3d seen = beyond.to_local(space_.masses[i].center);
-      gate.images[i] = narrow({-seen.x, seen.y, -seen.z});
-    }
-  }
-
-  const Space& space_;
-  const ClosestPointCoupling& coupling_;
-  Vec3d center_;
-  LaneScene& scene_;
-};
 
 void add_masses(const Space& space, Vec3d center, LaneScene& scene) {
   for (const Mass& mass : space.masses) {
@@ -213,11 +127,7 @@ std::unique_ptr<const LanePlan> plan_lanes(const Space& space) {
   LaneScene& scene = plan->scene;
   add_masses(space, plan->center, scene);
   if (!add_portals(space, plan->center, scene)) return nullptr;
-  if (const auto* closest = std::get_if<ClosestPointCoupling>(&space.coupling)) {
-    if (!GatePlanner(space, *closest, plan->center, scene).plan()) return nullptr;
-  } else if (!std::holds_alternative<NoCoupling>(space.coupling)) {
-    return nullptr;
-  }
+  if (!add_coupling(space, *plan)) return nullptr;
   add_surfaces(space, plan->center, scene);
 
   const Nystrom step = Nystrom::from({physics.step, physics.tolerance});

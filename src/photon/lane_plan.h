@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "math/vec3.h"
 #include "photon/lane_scene.h"
@@ -15,10 +16,15 @@ struct Space;
 struct LanePlan {
   LaneScene scene;
   Vec3d center;
+  std::vector<float> map_nodes;  ///< that `scene.maps` look up
+
+  LanePlan() = default;
+  LanePlan(const LanePlan&) = delete;
+  LanePlan& operator=(const LanePlan&) = delete;
 };
 
-/// Null where lanes can't do it: a fixed-step integrator, infinite influences, a coupling other
-/// than `none` and `closest-point`, portals that are no rectangles, or more masses, portals or
+/// Null where lanes can't do it: a fixed-step integrator, infinite influences, `shortest-path`,
+/// portals that are no rectangles, or more masses, portals or
 /// chains than the lanes have room for. The scalar engine does all of that.
 [[nodiscard]] std::unique_ptr<const LanePlan> plan_lanes(const Space& space);
 

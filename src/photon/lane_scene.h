@@ -46,6 +46,22 @@ struct LaneGate {
   LaneVec images[most_lane_masses];  ///< of the masses, in local coordinates
 };
 
+/// One portal's grid of a `graviton-map`, on its rectangle.
+struct LaneMap {
+  LaneVec origin, right, up, normal;
+  float half_width, half_height;
+  float tolerance;  ///< heights down to minus this count as in front
+  float reach2;
+  float low_x, low_y, spacing_x, spacing_y;
+  float per_x, per_y;    ///< 1 / spacing
+  float last_i, last_j;  ///< of the cells
+  int row;               ///< nodes in one
+  /// Six for each node: the acceleration over c² there; for the cell to the upper right of it the
+  /// stiffness, the nearness, and how many cells further on steps must end (`to_sharp`).
+  const float* nodes;
+};
+inline constexpr int lane_map_stride = 6;
+
 /// A portal's front, for crossing it.
 struct LanePortal {
   LaneVec origin, right, up, normal;
@@ -77,7 +93,7 @@ struct LaneBox {
 };
 
 struct LaneScene {
-  int mass_count, gate_count, portal_count, polygon_count, sphere_count, box_count;
+  int mass_count, gate_count, map_count, portal_count, polygon_count, sphere_count, box_count;
   float stiffness_weight, nearness_weight;  ///< of the step, see Nystrom
   float ahead;      ///< the place that decides what acts lies this far ahead
   float overshoot;  ///< a step ends this far past a boundary
@@ -85,6 +101,7 @@ struct LaneScene {
   float max_length, max_turning, max_steps;
   LaneMass masses[most_lane_masses];
   LaneGate gates[most_lane_gates];
+  LaneMap maps[most_lane_portals];
   LanePortal portals[most_lane_portals];
   LanePolygon polygons[most_lane_polygons];
   LaneSphere spheres[most_lane_spheres];

@@ -2,7 +2,9 @@
 /// One step of every lane: the default integrator over packs, with the events it may end in.
 #pragma once
 
+#include "photon/lane_coupled.h"
 #include "photon/lane_field.h"
+#include "photon/lane_graviton_map.h"
 #include "photon/lane_scene.h"
 #include "photon/nystrom.h"
 
@@ -40,7 +42,8 @@ struct LaneFinding {
   }
 };
 
-template <class R>
+/// @tparam F  the field: `LaneField`, or what has its members
+template <class R, class F>
 class LaneStepper {
  public:
   using Mask = typename R::Mask;
@@ -54,7 +57,7 @@ class LaneStepper {
     if (!any(live)) return;
     const V x{read(lanes_.x), read(lanes_.y), read(lanes_.z)};
     const V t{read(lanes_.tx), read(lanes_.ty), read(lanes_.tz)};
-    LaneField<R> field(scene_);
+    F field(scene_);
     field.decide(x + t * R(scene_.ahead));
 
     const LaneBending<R> start = field.bending(x, t);
@@ -291,10 +294,18 @@ class LaneStepper {
   int first_;
 };
 
+template <class R, class F>
+void step_lanes_in(const LaneScene& scene, Lanes& lanes) {
+  for (int first = 0; first < lane_count; first += R::lanes)
+    LaneStepper<R, F>(scene, lanes, first).step();
+}
+
 template <class R>
 void step_lanes(const LaneScene& scene, Lanes& lanes) {
-  for (int first = 0; first < lane_count; first += R::lanes)
-    LaneStepper<R>(scene, lanes, first).step();
+  if (scene.map_count > 0)
+    step_lanes_in<R, LaneCoupled<R, LaneGravitonMap<R>>>(scene, lanes);
+  else
+    step_lanes_in<R, LaneField<R>>(scene, lanes);
 }
 
 }  // namespace portalens

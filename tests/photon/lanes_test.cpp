@@ -56,12 +56,12 @@ std::vector<Arrival> in_lanes(const Space& space, const std::vector<Photon>& pho
   return arrivals;
 }
 
-class LanesAgainstScalar : public testing::TestWithParam<std::pair<const char*, int>> {};
+class LanesOfCoupling : public testing::TestWithParam<std::pair<const char*, int>> {};
 
-TEST_P(LanesAgainstScalar, AgreeWithinFloatButForFewPhotons) {
+TEST_P(LanesOfCoupling, AgreeWithTheScalarEngineWithinFloatButForFewPhotons) {
   const Space space = busy_space(GetParam().first, GetParam().second);
   ASSERT_TRUE(space.lanes);
-  const auto photons = camera_photons(scaled(10000));
+  const auto photons = camera_photons(scaled(5000));
   std::vector<Arrival> lanes(photons.size()), scalar(photons.size());
   ASSERT_NE(lane_engine().step, nullptr);
   advance(space, photons, lanes);
@@ -84,13 +84,10 @@ TEST_P(LanesAgainstScalar, AgreeWithinFloatButForFewPhotons) {
   EXPECT_LT(apart[apart.size() * 98 / 100], 6e-4);
 }
 
-INSTANTIATE_TEST_SUITE_P(Couplings, LanesAgainstScalar,
-                         testing::Values(std::pair("none", 0), std::pair("closest-point", 1),
-                                         std::pair("closest-point", 2)));
-
-TEST(Lanes, GiveTheSameBitsWithEveryInstructionSet) {
-  const Space space = busy_space("closest-point", 2);
-  const auto photons = camera_photons(scaled(20000));
+TEST_P(LanesOfCoupling, GiveTheSameBitsWithEveryInstructionSet) {
+  const Space space = busy_space(GetParam().first, GetParam().second);
+  ASSERT_TRUE(space.lanes);
+  const auto photons = camera_photons(scaled(5000));
   const auto expected = in_lanes(space, photons, "sse4");
   for (const char* isa : {"avx2", "avx512"}) {
     if (!lane_engine(isa).step) continue;
@@ -104,6 +101,12 @@ TEST(Lanes, GiveTheSameBitsWithEveryInstructionSet) {
     }
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Couplings, LanesOfCoupling,
+                         testing::Values(std::pair("none", 0), std::pair("closest-point", 1),
+                                         std::pair("closest-point", 2),
+                                         std::pair("graviton-map", 1), std::pair("graviton-map", 2),
+                                         std::pair("portal-mass", 1)));
 
 TEST(Lanes, APhotonsAnswerDoesNotDependOnItsNeighbours) {
   const Space space = busy_space("closest-point", 1);

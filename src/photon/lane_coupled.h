@@ -1,0 +1,39 @@
+/// \file
+/// The field over lanes where a coupling adds to it that `LaneField` does not know.
+#pragma once
+
+#include "photon/lane_field.h"
+
+namespace portalens {
+
+/// Masses directly, and `Through` through portals. `Through` has, as `LaneField` does, `decide`,
+/// `acting`, `acceleration`, `boundary`, and
+///   void add_to(LaneBending<R>& sum, Vec3<R> x) const;
+template <class R, class Through>
+struct LaneCoupled {
+  LaneField<R> direct;
+  Through through;
+  typename R::Mask acting;
+
+  explicit LaneCoupled(const LaneScene& scene)
+      : direct(scene), through(scene), acting(R(1) < R(0)) {}
+
+  void decide(Vec3<R> anchor) {
+    direct.decide(anchor);
+    through.decide(anchor);
+    acting = direct.acting | through.acting();
+  }
+  [[nodiscard]] LaneBending<R> bending(Vec3<R> x, Vec3<R> t) const {
+    LaneBending<R> sum = direct.bending(x, t);
+    through.add_to(sum, x);
+    return sum;
+  }
+  [[nodiscard]] Vec3<R> acceleration(Vec3<R> x) const {
+    return direct.acceleration(x) + through.acceleration(x);
+  }
+  [[nodiscard]] R boundary(Vec3<R> x, Vec3<R> t, Vec3<R> bend) const {
+    return min(direct.boundary(x, t, bend), through.boundary(x, t));
+  }
+};
+
+}  // namespace portalens

@@ -1,0 +1,156 @@
+#include "photon/lane_couplings.h"
+
+#include <algorithm>
+#include <variant>
+
+#include "gravity/attraction.h"
+#include "photon/lane_shapes.h"
+#include "photon/space.h"
+
+namespace portalens {
+namespace {
+
+/// Builds the tree of gates that `closest-point` recurses through.
+class GatePlanner {
+ public:
+  GatePlanner(const Space& space, const ClosestPointCoupling& coupling, Vec3d center,
+              LaneScene& scene)
+      : space_(space), coupling_(coupling), center_(center), scene_(scene) {}
+
+  /// False if there is not room enough.
+  [[nodiscard]] bool plan() { return add(coupling_.depth(), -1, no_portal, nullptr); }
+
+ private:
+  [[nodiscard]] bool add(int depth, int parent, std::uint32_t left_out, const Portal* entered) {
+    const auto portals = space_.portals.portals();
+    if (depth <= 0) return true;
+    for (std::uint32_t a = 0; a < portals.size(); ++a) {
+      const double reach = coupling_.reach(a, depth);
+      if (a == left_out || !(reach > 0.0)) continue;
+      if (scene_.gate_count == most_lane_gates) return false;
+      const int index = scene_.gate_count++;
+      fill(scene_.gates[index], portals[a], reach, parent, entered);
+      if (!add(depth - 1, index, portals[a].pair, &portals[a])) return false;
+    }
+    return true;
+  }
+
+  void fill(LaneGate& gate, const Portal& portal, double reach, int parent,
+            const Portal* entered) const {
+    const Frame& frame = portal.frame;
+    const Frame& beyond = space_.portals.portals()[portal.pair].frame;
+    const Rectangle rectangle = rectangle_of(portal);
+    gate = {};
+    gate.parent = parent;
+    gate.origin = narrow(frame.origin - center_);
+    gate.right = narrow(frame.right);
+    gate.up = narrow(frame.up);
+    gate.normal = narrow(frame.normal);
+    if (entered) {
+      const Frame& out = space_.portals.portals()[entered->pair].frame;
+      gate.offset = narrow(frame.to_local(out.origin));
+      gate.by_x = narrow(frame.direction_to_local(-out.right));
+      gate.by_y = narrow(frame.direction_to_local(out.up));
+      const auto back = [&](Vec3d axis) {
+        return narrow({-dot(axis, out.right), dot(axis, out.up), -dot(axis, out.normal)});
+      };
+      gate.to_parent_x = back(frame.right);
+      gate.to_parent_y = back(frame.up);
+      gate.to_parent_z = back(frame.normal);
+    }
+    gate.half_width = static_cast<float>(rectangle.half_width);
+    gate.half_height = static_cast<float>(rectangle.half_height);
+    gate.tolerance = static_cast<float>(portal.height_tolerance());
+    gate.reach = static_cast<float>(reach);
+    gate.reach2 = gate.reach * gate.reach;
+    for (std::size_t i = 0; i < space_.masses.size(); ++i) {
+      const Vec3d seen = beyond.to_local(space_.masses[i].center);
+      gate.images[i] = narrow({-seen.x, seen.y, -seen.z});
+    }
+  }
+
+  const Space& space_;
+  const ClosestPointCoupling& coupling_;
+  Vec3d center_;
+  LaneScene& scene_;
+};
+
+/// A portal that acts as a mass does.
+[[nodiscard]] bool add_portal_masses(const Space& space, const PortalMassCoupling& coupling,
+                                     Vec3d center, LaneScene& scene) {
+  if (scene.mass_count + coupling.images().size() > most_lane_masses) return false;
+  for (const PortalMassCoupling::Image& image : coupling.images()) {
+    const double gm = gravitational_radius(image.gm, space.physics.c);
+    const auto influence = static_cast<float>(image.influence);
+    scene.masses[scene.mass_count++] = {narrow(image.center - center),
+                                        static_cast<float>(gm),
+                                        static_cast<float>(image.core2),
+                                        influence,
+                                        influence * influence,
+                                        -1.0f,
+                                        1.0f};
+  }
+  return true;
+}
+
+void fill_map(const GravitonGrid& grid, double inverse_c2, LaneMap& map,
+              std::vector<float>& nodes) {
+  map.low_x = static_cast<float>(grid.low_x());
+  map.low_y = static_cast<float>(grid.low_y());
+  map.spacing_x = static_cast<float>(grid.spacing_x());
+  map.spacing_y = static_cast<float>(grid.spacing_y());
+  map.per_x = static_cast<float>(1.0 / grid.spacing_x());
+  map.per_y = static_cast<float>(1.0 / grid.spacing_y());
+  map.row = static_cast<int>(grid.count_x());
+  const std::uint32_t last_i = grid.count_x() - 2, last_j = grid.count_y() - 2;
+  map.last_i = static_cast<float>(last_i);
+  map.last_j = static_cast<float>(last_j);
+  for (std::uint32_t j = 0; j < grid.count_y(); ++j)
+    for (std::uint32_t i = 0; i < grid.count_x(); ++i) {
+      const LaneVec pull = narrow(grid.node(i, j).acceleration * inverse_c2);
+      nodes.insert(nodes.end(), {pull.x, pull.y, pull.z});
+      const GravitonGrid::Cell cell{std::min(i, last_i), std::min(j, last_j)};
+      nodes.push_back(static_cast<float>(grid.stiffness(cell) * inverse_c2 * distant_weight));
+      nodes.push_back(static_cast<float>(grid.nearness(cell)));
+      nodes.push_back(static_cast<float>(grid.to_sharp(cell)));
+    }
+}
+
+void add_maps(const Space& space, const GravitonMapCoupling& coupling, LanePlan& plan) {
+  const auto portals = space.portals.portals();
+  const double inverse_c2 = 1.0 / (space.physics.c * space.physics.c);
+  std::vector<std::size_t> first;
+  for (std::uint32_t a = 0; a < portals.size(); ++a) {
+    const double reach = coupling.exact().reach(a);
+    if (!(reach > 0.0)) continue;
+    const Portal& portal = portals[a];
+    const Rectangle rectangle = rectangle_of(portal);
+    LaneMap& map = plan.scene.maps[plan.scene.map_count++];
+    map.origin = narrow(portal.frame.origin - plan.center);
+    map.right = narrow(portal.frame.right);
+    map.up = narrow(portal.frame.up);
+    map.normal = narrow(portal.frame.normal);
+    map.half_width = static_cast<float>(rectangle.half_width);
+    map.half_height = static_cast<float>(rectangle.half_height);
+    map.tolerance = static_cast<float>(portal.height_tolerance());
+    map.reach2 = static_cast<float>(reach * reach);
+    first.push_back(plan.map_nodes.size());
+    fill_map(coupling.grid(a), inverse_c2, map, plan.map_nodes);
+  }
+  for (std::size_t i = 0; i < first.size(); ++i)
+    plan.scene.maps[i].nodes = plan.map_nodes.data() + first[i];
+}
+
+}  // namespace
+
+bool add_coupling(const Space& space, LanePlan& plan) {
+  if (const auto* closest = std::get_if<ClosestPointCoupling>(&space.coupling))
+    return GatePlanner(space, *closest, plan.center, plan.scene).plan();
+  if (const auto* map = std::get_if<GravitonMapCoupling>(&space.coupling))
+    return add_maps(space, *map, plan), true;
+  if (const auto* masses = std::get_if<PortalMassCoupling>(&space.coupling))
+    return add_portal_masses(space, *masses, plan.center, plan.scene);
+  return std::holds_alternative<NoCoupling>(space.coupling);
+}
+
+}  // namespace portalens

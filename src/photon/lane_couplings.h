@@ -1,0 +1,14 @@
+/// \file
+/// Laying out for the lanes what portals add to gravity: one table a coupling.
+#pragma once
+
+#include "photon/lane_plan.h"
+
+namespace portalens {
+
+/// Adds the coupling of a space to a plan that has its masses already.
+/// @return false where lanes can't do it
+/// @pre every portal is a rectangle
+[[nodiscard]] bool add_coupling(const Space& space, LanePlan& plan);
+
+}  // namespace portalens
