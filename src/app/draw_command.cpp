@@ -141,11 +141,20 @@ void add_ray_options(CLI::App& command, DrawArguments& arguments) {
                   "Take the first N surfaces for mirrors; by default a photon ends at its first")
       ->check(CLI::Range(0, 1000))
       ->type_name("N");
+  CLI::Option* color =
+      command
+          .add_option(
+              "--color", arguments.style.color,
+              "Colour the ways by how their photons end, or by how sharply they turn, instead "
+              "of step by step")
+          ->transform(CLI::CheckedTransformer(path_color_names()).description(""))
+          ->type_name("fate|turning");
   command
       .add_option("--every", arguments.style.steps_a_color,
                   "Change the colour after this many steps")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str()
+      ->excludes(color)
       ->type_name("N");
 }
 

@@ -63,7 +63,7 @@ Drawing draw_scene(const World& world, const std::vector<DrawnPath>& paths,
   add_scene(world, sheet);
   const bool elsewhere = from.from != Standpoint::camera || from.eye;
   if (elsewhere && camera_matters(world, paths, 1e-6 * size)) add_camera(world, 0.06 * size, sheet);
-  const PathStyle path_style{style.steps_a_color, 0.12 * size};
+  const PathStyle path_style{style.steps_a_color, style.color, 0.12 * size};
   add_paths(world, paths, path_style, sheet);
   const View view = sheet.view();
   const double unit = sheet.unit();

@@ -2,6 +2,7 @@
 /// A scene and photons' paths as one drawing.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,8 +21,9 @@ struct DrawingSize {
 
 struct DrawingStyle {
   DrawingSize size;
-  int steps_a_color = 1;  ///< >= 1
+  int steps_a_color = 1;  ///< >= 1; in turn green and grey, if `color` is not given
   bool legend = true;
+  std::optional<PathColor> color;  ///< what else a way's colour tells
 };
 
 /// Follows the photons on that many threads.

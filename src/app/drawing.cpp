@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 
 #include "app/canvas.h"
 #include "app/drawing_svg.h"
@@ -15,12 +16,17 @@ namespace {
 
 enum class Format { svg, png };
 
-Format format_of(const std::filesystem::path& file) {
+std::optional<Format> known_format(const std::filesystem::path& file) {
   std::string suffix = file.extension().string();
   for (char& letter : suffix)
     if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
   if (suffix == ".svg") return Format::svg;
   if (suffix == ".png") return Format::png;
+  return std::nullopt;
+}
+
+Format format_of(const std::filesystem::path& file) {
+  if (const auto format = known_format(file)) return *format;
   throw SceneError({{Location{}, "can't draw " + file.string() + ": its kind is not known",
                      "a drawing's name ends in .svg or .png"}});
 }
@@ -37,6 +43,17 @@ std::vector<Channel> linear_channels(const Image& image) {
 }
 
 }  // namespace
+
+Color color_from_linear(const Rgb& linear) {
+  const auto shown = [](double value) { return srgb_from_linear(std::clamp(value, 0.0, 1.0)); };
+  return {shown(linear.x), shown(linear.y), shown(linear.z)};
+}
+
+Rgb linear_from_color(const Color& color) {
+  return {linear_from_srgb(color.red), linear_from_srgb(color.green), linear_from_srgb(color.blue)};
+}
+
+bool is_drawing_file(const std::filesystem::path& file) { return known_format(file).has_value(); }
 
 void check_drawable(const std::filesystem::path& file) {
   static_cast<void>(format_of(file));

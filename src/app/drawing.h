@@ -8,6 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include "math/vec3.h"
+
 namespace portalens {
 
 /// x to the right, y downwards, from the top left corner; the first pixel's centre is (0.5, 0.5).
@@ -28,6 +30,10 @@ struct Color {
   friend constexpr bool operator==(const Color&, const Color&) = default;
   [[nodiscard]] constexpr Color with_alpha(double a) const { return {red, green, blue, a}; }
 };
+
+/// @param linear  each is taken as 0 to 1
+[[nodiscard]] Color color_from_linear(const Rgb& linear);
+[[nodiscard]] Rgb linear_from_color(const Color& color);
 
 struct Stroke {
   Color color;
@@ -90,7 +96,10 @@ struct Drawing {
 /// How wide the rasteriser sets a text, pixels; usual fonts set it no wider.
 [[nodiscard]] double text_width(const std::string& text, double size);
 
-/// Whether a drawing can be written under this name, by its suffix (.svg, .png) and its place.
+/// Whether the suffix is a drawing's: .svg or .png.
+[[nodiscard]] bool is_drawing_file(const std::filesystem::path& file);
+
+/// Whether a drawing can be written under this name, by its suffix and its place.
 /// @throws SceneError if the suffix is another; WorkError if the place can't be written
 void check_drawable(const std::filesystem::path& file);
 

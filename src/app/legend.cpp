@@ -148,6 +148,22 @@ std::vector<LegendEntry> scene_entries(const World& world, const Drawing& drawin
   return entries;
 }
 
+/// What the colours of the ways mean. By fate, the marks at their ends have them, too.
+std::vector<LegendEntry> way_entries(const PathStyle& style, double unit) {
+  const auto half = [&](double from, const Color& color) {
+    return Lines{{{{from * unit, 0}, {(from + 12.0) * unit, 0}}}, {color, 2.2 * unit}, "legend"};
+  };
+  if (style.color == PathColor::turning)
+    return {{{half(-12.0, color_from_linear(turning_color(0.0))),
+              half(0.0, color_from_linear(turning_color(1.0)))},
+             "straight, and where it turns most"}};
+  if (style.color) return {};
+  const std::string each = style.steps_a_color == 1
+                               ? "steps of a photon"
+                               : fmt::format("{} steps each", style.steps_a_color);
+  return {{{half(-12.0, ink::green), half(0.0, ink::grey)}, each}};
+}
+
 std::vector<LegendEntry> path_entries(const World& world, const std::vector<DrawnPath>& paths,
                                       const PathStyle& style, double unit) {
   std::array<int, fate_count> fates{};
@@ -157,13 +173,7 @@ std::vector<LegendEntry> path_entries(const World& world, const std::vector<Draw
     crosses = crosses || !path.trace.journey.crossings.empty();
     bounces = bounces || !path.trace.bounces.empty();
   }
-  std::vector<LegendEntry> entries;
-  const std::string each = style.steps_a_color == 1
-                               ? "steps of a photon"
-                               : fmt::format("{} steps each", style.steps_a_color);
-  entries.push_back({{Lines{{{{-12.0 * unit, 0}, {0, 0}}}, {ink::green, 2.2 * unit}, "legend"},
-                      Lines{{{{0, 0}, {12.0 * unit, 0}}}, {ink::grey, 2.2 * unit}, "legend"}},
-                     each});
+  std::vector<LegendEntry> entries = way_entries(style, unit);
   entries.push_back({{start_mark({}, unit)}, "start"});
   if (crosses) {
     const Stroke rim{portal_color(world, 0), 1.8 * unit};

@@ -1,16 +1,13 @@
 #include "app/path_export.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+
+#include "app/path_marks.h"
 
 namespace portalens {
 namespace {
 
-/// In the order of `Fate`: green, dark red, blue, violet, magenta.
-constexpr std::array<Rgb, fate_count> fate_colors = {Rgb{0.02, 0.45, 0.05}, Rgb{0.5, 0.03, 0.01},
-                                                     Rgb{0.02, 0.15, 0.8}, Rgb{0.2, 0.02, 0.5},
-                                                     Rgb{0.9, 0.0, 0.7}};
 constexpr Rgb blue{0.03, 0.2, 0.9}, orange{0.9, 0.25, 0.02}, black{0.01, 0.01, 0.01};
 
 std::vector<Vec3d> without_repeats(const std::vector<Vec3d>& points) {
@@ -38,17 +35,16 @@ double curvature(const std::vector<Vec3d>& points, std::size_t i) {
   return angle / (0.5 * (length(before) + length(after)));
 }
 
-/// From blue over white to red.
-Rgb heat(double share) {
-  const Rgb cold{0.03, 0.1, 0.8}, pale{0.8, 0.8, 0.8}, hot{0.8, 0.03, 0.01};
+}  // namespace
+
+Rgb turning_color(double share) {
+  const Rgb cold{0.03, 0.1, 0.8}, pale{0.4, 0.4, 0.4}, hot{0.8, 0.03, 0.01};
   const double t = std::clamp(share, 0.0, 1.0);
   return t < 0.5 ? cold + (pale - cold) * (2.0 * t) : pale + (hot - pale) * (2.0 * t - 1.0);
 }
 
-}  // namespace
-
 void PathExport::add(const Trace& trace) {
-  const Rgb color = fate_colors[static_cast<std::size_t>(trace.end.fate)];
+  const Rgb color = linear_from_color(fate_ink(trace.end.fate));
   for (std::size_t s = 0; s < trace.journey.stretches.size(); ++s) {
     PathLine line;
     line.photon = photons_;
@@ -71,7 +67,7 @@ void PathExport::color_by_turning() {
   for (PathLine& line : picture_.lines)
     for (std::size_t i = 0; i < line.points.size(); ++i) {
       const double here = curvature(line.points, i);
-      line.colors[i] = heat(here > 0.0 ? 1.0 + std::log10(here / most) / 3.0 : 0.0);
+      line.colors[i] = turning_color(here > 0.0 ? 1.0 + std::log10(here / most) / 3.0 : 0.0);
     }
 }
 

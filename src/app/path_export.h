@@ -2,6 +2,9 @@
 /// From traced photons to a picture of their ways that other programs open.
 #pragma once
 
+#include <map>
+#include <string>
+
 #include "app/trace_ray.h"
 #include "io/polylines.h"
 #include "world/world.h"
@@ -11,8 +14,17 @@ namespace portalens {
 /// What the colour of a way tells: how the photon ended, or how sharply it turns there.
 enum class PathColor { fate, turning };
 
+/// As the command line names them.
+[[nodiscard]] inline std::map<std::string, PathColor> path_color_names() {
+  return {{"fate", PathColor::fate}, {"turning", PathColor::turning}};
+}
+
+/// Linear: from blue over grey to red.
+/// @param share  0: straight, 1: where it turns most
+[[nodiscard]] Rgb turning_color(double share);
+
 /// Collects ways. Colours by turning are chosen when all are known: blue where a way is straight,
-/// over white to red where it turns most (on a logarithmic scale, over three powers of ten).
+/// over grey to red where it turns most (on a logarithmic scale, over three powers of ten).
 class PathExport {
  public:
   PathExport(const World& world, PathColor color) : world_(world), color_(color) {}

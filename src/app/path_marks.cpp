@@ -15,10 +15,6 @@ namespace {
 constexpr std::size_t most_letters = 120;  ///< more crossings than this are only dots
 constexpr std::size_t most_numbers = 12;   ///< more paths than this bear no number
 
-constexpr Color hit_color{0.80, 0.10, 0.10};
-constexpr Color escaped_color{0.10, 0.45, 0.80};
-constexpr Color trapped_color{0.85, 0.50, 0.00};
-constexpr Color lost_color{0.90, 0.00, 0.85};
 constexpr Color white{1, 1, 1};
 
 /// Steps of the whole path in turn in one list or the other. Points that repeat are no step.
@@ -35,6 +31,25 @@ void add_steps(const Journey& journey, const PathStyle& style, Sheet& sheet) {
     }
   sheet.add_lines(green, {ink::green, 2.2}, "path green");
   sheet.add_lines(grey, {ink::grey, 2.2}, "path grey");
+}
+
+/// All ways as `PathExport` colours them: neighbouring pieces of one colour are one line.
+void add_colored(const World& world, const std::vector<DrawnPath>& paths, PathColor color,
+                 Sheet& sheet) {
+  PathExport ways(world, color);
+  for (const DrawnPath& path : paths) ways.add(path.trace);
+  const PathPicture picture = std::move(ways).release();
+  for (const PathLine& way : picture.lines) {
+    for (std::size_t begin = 0, end = 1; end < way.points.size(); begin = end++) {
+      while (end + 1 < way.points.size() && way.colors[end + 1] == way.colors[end]) ++end;
+      sheet.add_lines({{way.points.begin() + static_cast<std::ptrdiff_t>(begin),
+                        way.points.begin() + static_cast<std::ptrdiff_t>(end) + 1}},
+                      {color_from_linear(way.colors[end]), 2.2}, "path");
+    }
+    for (std::size_t i = 1; i < way.points.size(); ++i)
+      if (const auto at = sheet.view().project((way.points[i] + way.points[i - 1]) * 0.5))
+        sheet.keep_free(*at);
+  }
 }
 
 void add_crossings(const World& world, const Journey& journey, std::size_t& number, Sheet& sheet) {
@@ -60,7 +75,8 @@ void add_end(const Arrival& end, const PathStyle& style, const std::string& numb
   Vec3d last = end.position;
   if (end.fate == Fate::escaped) {
     const Vec3d farther = last + end.direction * style.beyond;
-    sheet.add_lines({{last, farther}}, {ink::green, 1.3, 4.0}, "beyond");
+    sheet.add_lines({{last, farther}}, {style.color ? fate_ink(end.fate) : ink::green, 1.3, 4.0},
+                    "beyond");
     if (sheet.view().project(farther)) last = farther;
   }
   const auto at = sheet.view().project(last);
@@ -142,7 +158,10 @@ std::string told(const World& world, const DrawnPath& path, std::size_t crossing
 
 void add_paths(const World& world, const std::vector<DrawnPath>& paths, const PathStyle& style,
                Sheet& sheet) {
-  for (const DrawnPath& path : paths) add_steps(path.trace.journey, style, sheet);
+  if (style.color)
+    add_colored(world, paths, *style.color, sheet);
+  else
+    for (const DrawnPath& path : paths) add_steps(path.trace.journey, style, sheet);
   const bool numbered = paths.size() > 1 && paths.size() <= most_numbers;
   std::size_t crossing = 0;
   for (std::size_t i = 0; i < paths.size(); ++i) {
@@ -167,20 +186,20 @@ std::vector<Mark> fate_marks(Fate fate, Point at, Point way, double unit) {
   const double r = 4.0 * unit;
   switch (fate) {
     case Fate::hit:
-      return {Disc{at, r, hit_color, {white, unit}, "fate hit"}};
+      return {Disc{at, r, fate_ink(fate), {white, unit}, "fate hit"}};
     case Fate::absorbed:
       return {Disc{at, r, {0, 0, 0}, {white, 1.6 * unit}, "fate absorbed"}};
     case Fate::escaped:
-      return {arrow_head(at, way, 12.0 * unit, escaped_color, "fate escaped")};
+      return {arrow_head(at, way, 12.0 * unit, fate_ink(fate), "fate escaped")};
     case Fate::trapped:
       return {Area{square(r), white, "fate trapped"},
-              Lines{{square(r)}, {trapped_color, 2.0 * unit}, "fate trapped"}};
+              Lines{{square(r)}, {fate_ink(fate), 2.0 * unit}, "fate trapped"}};
     case Fate::lost:
       break;
   }
   return {Lines{
       {{{at.x - r, at.y - r}, {at.x + r, at.y + r}}, {{at.x - r, at.y + r}, {at.x + r, at.y - r}}},
-      {lost_color, 2.6 * unit},
+      {fate_ink(fate), 2.6 * unit},
       "fate lost"}};
 }
 
@@ -191,7 +210,7 @@ Mark start_mark(Point at, double unit) {
 Mark bounce_mark(Point at, double unit) {
   const double r = 5.0 * unit;
   return Area{{{at.x, at.y - r}, {at.x + r, at.y}, {at.x, at.y + r}, {at.x - r, at.y}},
-              hit_color,
+              fate_ink(Fate::hit),
               "bounce"};
 }
 

@@ -3,14 +3,26 @@
 /// happens.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "app/path_export.h"
 #include "app/sheet.h"
 #include "app/trace_ray.h"
 #include "world/world.h"
 
 namespace portalens {
+
+/// Colours of the ways of photons by their end, in the order of `Fate`: red, dark grey, blue,
+/// orange, magenta.
+inline constexpr std::array<Color, fate_count> fate_inks = {
+    Color{0.80, 0.10, 0.10}, Color{0.25, 0.25, 0.28}, Color{0.10, 0.45, 0.80},
+    Color{0.85, 0.50, 0.00}, Color{0.90, 0.00, 0.85}};
+[[nodiscard]] constexpr const Color& fate_ink(Fate fate) {
+  return fate_inks[static_cast<std::size_t>(fate)];
+}
 
 struct DrawnPath {
   std::string name;  ///< what the user asked for: "pixel 3 4"
@@ -18,8 +30,9 @@ struct DrawnPath {
 };
 
 struct PathStyle {
-  int steps_a_color = 1;  ///< >= 1
-  double beyond = 1.0;    ///< length that is drawn of what an escaped photon flies on
+  int steps_a_color = 1;           ///< >= 1; in turn green and grey, if `color` is not given
+  std::optional<PathColor> color;  ///< what else a way's colour tells
+  double beyond = 1.0;             ///< length that is drawn of what an escaped photon flies on
 };
 
 /// What a path tells of itself, in one line; its crossings have the letters that the drawing has.

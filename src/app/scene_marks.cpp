@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "app/outline.h"
-#include "io/srgb.h"
 
 namespace portalens {
 namespace {
@@ -30,8 +29,7 @@ constexpr std::size_t most_names = 40;
 
 Color faint_color(const Material& material) {
   const Rgb color = brightest(material.diffuse) + material.emitted + material.reflective * 0.5;
-  const auto shown = [](double linear) { return srgb_from_linear(std::clamp(linear, 0.0, 1.0)); };
-  return Color{shown(color.x), shown(color.y), shown(color.z), 0.13};
+  return color_from_linear(color).with_alpha(0.13);
 }
 
 void add_surfaces(const World& world, Sheet& sheet) {

@@ -14,10 +14,13 @@
 #include <vector>
 
 #include "app/command.h"
+#include "app/draw_scene.h"
+#include "app/drawing.h"
 #include "app/path_export.h"
 #include "app/read_rays.h"
 #include "app/scene_options.h"
 #include "app/trace_ray.h"
+#include "io/files.h"
 #include "io/polylines.h"
 #include "render/camera_photon.h"
 #include "render/parallel.h"
@@ -37,7 +40,7 @@ struct TraceArguments {
   bool path = false;
   std::filesystem::path output;
   PathColor color = PathColor::fate;
-  PlanView view = PlanView::top;
+  Standpoint view = Standpoint::top;
 };
 
 /// Photons traced between two looks at the output, so that a long list shows its answers early.
@@ -99,13 +102,55 @@ Trace traced(const World& world, const Photon& photon, const TraceArguments& arg
   return trace_ray(world, photon, arguments.bounces.value_or(0));
 }
 
+/// Where the ways go: into a drawing, or a file of points for other programs.
+class WaysFile {
+ public:
+  /// @throws SceneError if `file` is of another kind; WorkError if it can't be written
+  WaysFile(const World& world, const TraceArguments& arguments)
+      : world_(world), arguments_(arguments), points_(world, arguments.color) {
+    const std::filesystem::path& file = arguments.output;
+    if (!is_drawing_file(file) && !is_path_file(file))
+      throw SceneError({{Location{}, "can't write " + file.string() + ": its kind is not known",
+                         "a file of ways ends in .obj, .ply, .gltf or .csv, a drawing of them in "
+                         ".svg or .png"}});
+    check_replaceable(file);
+  }
+  void add(std::string name, Trace trace) {
+    if (is_drawing_file(arguments_.output))
+      drawn_.push_back({std::move(name), std::move(trace)});
+    else
+      points_.add(trace);
+  }
+  void write() && {
+    const std::filesystem::path& file = arguments_.output;
+    if (!is_drawing_file(file)) return write_paths(file, std::move(points_).release());
+    DrawingStyle style;
+    style.color = arguments_.color;
+    StandpointChoice from;
+    from.from = arguments_.view;
+    write_drawing(file, draw_scene(world_, drawn_, from, style));
+  }
+
+ private:
+  const World& world_;
+  const TraceArguments& arguments_;
+  PathExport points_;
+  std::vector<DrawnPath> drawn_;
+};
+
+/// What a drawing calls a photon.
+std::string name_of_photon(const TraceArguments& arguments, std::size_t i) {
+  if (arguments.pixels.empty()) return fmt::format("ray {}", i + 1);
+  return fmt::format("pixel {} {}", arguments.pixels[2 * i], arguments.pixels[2 * i + 1]);
+}
+
 int trace_photons(const TraceArguments& arguments) {
   const Scene scene = read_with_settings(arguments.scene);
   const World world = compile_with_options(scene, arguments.scene);
   const std::vector<Photon> photons = photons_of(world, arguments);
   const bool exported = !arguments.output.empty();
-  if (exported) check_paths_writable(arguments.output);
-  PathExport ways(world, arguments.color);
+  std::optional<WaysFile> ways;
+  if (exported) ways.emplace(world, arguments);
   const PathOutput path = arguments.path ? PathOutput::included : PathOutput::omitted;
   const int threads = arguments.threads > 0 ? arguments.threads : available_threads();
 
@@ -124,9 +169,10 @@ int trace_photons(const TraceArguments& arguments) {
     };
     parallel_for(answers.size(), threads, work, [] { return false; });
     for (const std::string& answer : answers) std::cout << answer;
-    for (const Trace& trace : traces) ways.add(trace);
+    for (std::size_t i = 0; i < traces.size(); ++i)
+      ways->add(name_of_photon(arguments, begin + i), std::move(traces[i]));
   }
-  if (exported) write_paths(arguments.output, std::move(ways).release(), arguments.view);
+  if (exported) std::move(*ways).write();
   return exit_done;
 }
 
@@ -176,18 +222,17 @@ void add_trace_command(CLI::App& program, Command& chosen) {
       command
           .add_option("-o,--output", arguments->output,
                       "Write the ways, too: .obj, .ply, .gltf (coloured, with portals and masses), "
-                      ".csv, .svg (a plan)")
+                      ".csv; or draw them as a plan: .svg, .png")
           ->type_name("FILE");
   command
       .add_option("--color", arguments->color,
                   "Colour the ways by how their photons end, or by how sharply they turn")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, PathColor>{
-          {"fate", PathColor::fate}, {"turning", PathColor::turning}}))
+      ->transform(CLI::CheckedTransformer(path_color_names()))
       ->needs(output)
       ->type_name("fate|turning");
-  command.add_option("--plan", arguments->view, "From where an .svg looks at the scene")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, PlanView>{
-          {"top", PlanView::top}, {"front", PlanView::front}, {"side", PlanView::side}}))
+  command.add_option("--plan", arguments->view, "From where a drawing looks at the scene")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Standpoint>{
+          {"top", Standpoint::top}, {"front", Standpoint::front}, {"side", Standpoint::side}}))
       ->needs(output)
       ->type_name("top|front|side");
   command.footer(R"(

@@ -31,11 +31,17 @@ int byte_of(double linear) {
   return static_cast<int>(std::lround(255.0 * srgb_from_linear(std::clamp(linear, 0.0, 1.0))));
 }
 
-std::string suffix_of(const fs::path& file) {
+using Encoder = std::string (*)(const PathPicture&);
+
+/// By the suffix; none if it is another.
+Encoder encoder_of(const fs::path& file) {
   std::string suffix = file.extension().string();
   for (char& letter : suffix)
     letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  return suffix;
+  if (suffix == ".csv") return paths_as_csv;
+  if (suffix == ".obj") return paths_as_obj;
+  if (suffix == ".ply") return paths_as_ply;
+  return suffix == ".gltf" ? paths_as_gltf : nullptr;
 }
 
 }  // namespace
@@ -96,23 +102,10 @@ std::string paths_as_ply(const PathPicture& picture) {
   return text;
 }
 
-void write_paths(const fs::path& file, const PathPicture& picture, PlanView view) {
-  const std::string suffix = suffix_of(file);
-  if (suffix == ".csv") return replace_file(file, paths_as_csv(picture));
-  if (suffix == ".obj") return replace_file(file, paths_as_obj(picture));
-  if (suffix == ".ply") return replace_file(file, paths_as_ply(picture));
-  if (suffix == ".gltf") return replace_file(file, paths_as_gltf(picture));
-  if (suffix == ".svg") return replace_file(file, paths_as_svg(picture, view));
-  check_paths_writable(file);
-}
+bool is_path_file(const fs::path& file) { return encoder_of(file) != nullptr; }
 
-void check_paths_writable(const fs::path& file) {
-  const std::string suffix = suffix_of(file);
-  const auto known = {".obj", ".ply", ".gltf", ".csv", ".svg"};
-  if (std::find(known.begin(), known.end(), suffix) == known.end())
-    throw WorkError("can't write " + file.string() +
-                    ": the name of a file of ways ends in .obj, .ply, .gltf, .csv or .svg");
-  check_replaceable(file);
+void write_paths(const fs::path& file, const PathPicture& picture) {
+  replace_file(file, encoder_of(file)(picture));
 }
 
 }  // namespace portalens

@@ -1,8 +1,8 @@
 /// \file
-/// Ways of photons out, for other programs: OBJ, PLY, glTF, CSV and SVG.
+/// Ways of photons out, for other programs: OBJ, PLY, glTF and CSV.
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -42,10 +42,6 @@ struct PathPicture {
   std::vector<RoundBody> balls;
 };
 
-/// From where a plan is looked at: from +y with x to the right, from +z with x to the right, from
-/// +x with z to the left.
-enum class PlanView : std::uint8_t { top, front, side };
-
 /// Each point of each line, with 17 digits: photon, stretch, index, x, y, z. No tails.
 [[nodiscard]] std::string paths_as_csv(const PathPicture& picture);
 /// A group and an `l` a line, tails included.
@@ -54,16 +50,12 @@ enum class PlanView : std::uint8_t { top, front, side };
 [[nodiscard]] std::string paths_as_ply(const PathPicture& picture);
 /// glTF 2.0 with its buffer inside: a mesh of coloured lines, and one for each body.
 [[nodiscard]] std::string paths_as_gltf(const PathPicture& picture);
-/// A plan, with the names of the bodies.
-[[nodiscard]] std::string paths_as_svg(const PathPicture& picture, PlanView view);
+/// Whether the suffix is one of .obj, .ply, .gltf, .csv.
+[[nodiscard]] bool is_path_file(const std::filesystem::path& file);
 
-/// Writes as the suffix says: .obj, .ply, .gltf, .csv, .svg. The old file stays whole until the new
-/// one is.
+/// Writes as the suffix says. The old file stays whole until the new one is.
+/// @pre is_path_file
 /// @throws WorkError with the path and the cause
-void write_paths(const std::filesystem::path& file, const PathPicture& picture, PlanView view);
-
-/// @throws WorkError if `file` can't be written there: a suffix not known, no such folder, no
-/// permission
-void check_paths_writable(const std::filesystem::path& file);
+void write_paths(const std::filesystem::path& file, const PathPicture& picture);
 
 }  // namespace portalens

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstring>
 #include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
 #include <sstream>
 
 #include "support/run_program.h"
@@ -246,12 +248,42 @@ TEST(PathExport, SvgIsWellFormedAndNamesTheBodies) {
     const Outcome parsed =
         run_shell(exported.folder.path(),
                   "python3 -c 'import xml.dom.minidom as m; d = m.parse(\"a.svg\"); "
-                  "print(*[t.firstChild.data for t in d.getElementsByTagName(\"text\")], "
-                  "len(d.getElementsByTagName(\"polyline\")))'");
+                  "print(*[t.firstChild.data for t in d.getElementsByTagName(\"text\") "
+                  "if t.getAttribute(\"class\").endswith(\" name\")], "
+                  "sum(p.getAttribute(\"class\") == \"path\" "
+                  "for p in d.getElementsByTagName(\"path\")), sep=\"|\")'");
     EXPECT_EQ(parsed.code, 0) << parsed.errors;
-    EXPECT_EQ(parsed.output,
-              "the <hole> \"??\" in out " + std::to_string(stretch_count(exported.answers)) + "\n");
+    for (const std::string body : {"the <hole> \"ä\"|", "in|", "out|", "wall|"})
+      EXPECT_NE(('|' + parsed.output).find('|' + body), std::string::npos) << parsed.output;
+    EXPECT_TRUE(
+        parsed.output.ends_with('|' + std::to_string(stretch_count(exported.answers)) + '\n'))
+        << parsed.output;
   }
+}
+
+/// The colours of the ways, as SVG has them.
+std::set<std::string> colors_of_ways(const std::string& svg) {
+  std::set<std::string> colors;
+  const std::regex way("<path class=\"path\" stroke=\"(#[0-9a-f]{6})\"");
+  for (std::sregex_iterator i(svg.begin(), svg.end(), way), end; i != end; ++i)
+    colors.insert((*i)[1]);
+  return colors;
+}
+
+TEST(PathExport, ADrawingColorsWaysByFateOrByTurning) {
+  Exported by_fate, by_turning, as_picture;
+  export_paths(by_fate, "a.svg", {"--color", "fate"});
+  export_paths(by_turning, "a.svg", {"--color", "turning"});
+  export_paths(as_picture, "a.png", {"--plan", "side"});
+  EXPECT_EQ(colors_of_ways(by_fate.text).size(), 3u) << "absorbed, hit, escaped";
+  EXPECT_GT(colors_of_ways(by_turning.text).size(), 3u);
+  EXPECT_EQ(as_picture.text.substr(1, 3), "PNG");
+  const Outcome drawn = run_shell(by_fate.folder.path(),
+                                  quoted({PORTALENS_PROGRAM, "draw", "scene.toml", "--rays", "-",
+                                          "--view", "top", "--color", "turning", "-o", "b.svg"}),
+                                  rays);
+  ASSERT_EQ(drawn.code, 0) << drawn.errors;
+  EXPECT_EQ(colors_of_ways(by_fate.folder.read("b.svg")), colors_of_ways(by_turning.text));
 }
 
 TEST(PathExport, NeedsAPlaceAndAKind) {
@@ -260,7 +292,7 @@ TEST(PathExport, NeedsAPlaceAndAKind) {
   for (const char* place : {"a.stl", "no/such/a.obj"}) {
     const Outcome outcome =
         run_portalens(folder.path(), {"trace", "scene.toml", "--pixel", "1", "1", "-o", place});
-    EXPECT_EQ(outcome.code, 1);
+    EXPECT_EQ(outcome.code, place == std::string("a.stl") ? 2 : 1);
     EXPECT_NE(outcome.errors.find(place), std::string::npos);
   }
   EXPECT_EQ(folder.size(), 1u);
