@@ -17,14 +17,13 @@
 #include "io/files.h"
 #include "io/image.h"
 #include "io/image_bytes.h"
+#include "io/image_claim.h"
 #include "io/srgb.h"
 
 namespace portalens {
 namespace {
 
 constexpr std::uint64_t most_bytes = std::uint64_t{1} << 30;
-constexpr int most_side = 16384;
-constexpr std::int64_t most_pixels = std::int64_t{1} << 27;  // 16384 x 8192: 1.5 GiB of floats
 
 const char* name_of(ImageFormat format) {
   switch (format) {
@@ -40,11 +39,6 @@ const char* name_of(ImageFormat format) {
   return "jpeg";
 }
 
-/// Why a picture can't be used.
-struct Refusal {
-  std::string problem, remedy;
-};
-
 /// Which of a file's channels are red, green and blue; one three times over if it is gray.
 std::array<int, 3> color_channels(const OIIO::ImageSpec& spec) {
   const std::array<int, 3> named{spec.channelindex("R"), spec.channelindex("G"),
@@ -55,15 +49,13 @@ std::array<int, 3> color_channels(const OIIO::ImageSpec& spec) {
   return {0, 1, 2};
 }
 
+/// What the decoder found, held against the limits once more: it may read a header otherwise.
 void check_header(const OIIO::ImageSpec& spec) {
-  const std::int64_t pixels = std::int64_t{spec.width} * spec.height;
-  if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1 || spec.deep) {
+  if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1 || spec.deep)
     throw Refusal{"holds no flat picture", "save it as an ordinary picture"};
-  }
-  if (spec.width > most_side || spec.height > most_side || pixels > most_pixels) {
-    throw Refusal{"is " + std::to_string(spec.width) + " x " + std::to_string(spec.height),
-                  "a side has at most 16384 pixels, the whole at most 16384 x 8192"};
-  }
+  if (spec.width > most_image_side || spec.height > most_image_side ||
+      std::int64_t{spec.width} * spec.height > most_image_pixels)
+    throw Refusal{"has a size that its header hides", "save it again"};
 }
 
 void read_planes(OIIO::ImageInput& input, int begin, int end, float* target) {
@@ -105,7 +97,7 @@ void check_finite(const Image& image) {
 ChannelPicture all_channels_of(OIIO::ImageInput& input) {
   const OIIO::ImageSpec spec = input.spec();
   check_header(spec);
-  if (std::int64_t{spec.width} * spec.height * spec.nchannels > 3 * most_pixels)
+  if (std::int64_t{spec.width} * spec.height * spec.nchannels > 3 * most_image_pixels)
     throw Refusal{"has " + std::to_string(spec.nchannels) + " channels", "use a smaller one"};
   ChannelPicture picture{spec.width, spec.height, {}};
   const auto pixels = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
@@ -160,6 +152,7 @@ auto read_picture(const std::filesystem::path& file, const Location& asked_at, F
     const auto bare = without_descriptions(std::move(*bytes), *format);
     if (!bare)
       throw Refusal{"is broken: cut off, or changed after it was written", "save it again"};
+    check_claim(*bare, *format);
     return decoded(*bare, *format);
   } catch (const Refusal& refusal) {
     faults.add(asked_at, name + refusal.problem, refusal.remedy);

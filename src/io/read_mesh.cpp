@@ -26,7 +26,6 @@ namespace {
 
 constexpr std::uint64_t most_bytes = std::uint64_t{1} << 30;
 constexpr std::uint64_t most_mtl_bytes = std::uint64_t{16} << 20;
-constexpr std::size_t most_triangles = 20'000'000;
 constexpr std::size_t most_corners = 1000;  // of one polygon
 constexpr std::size_t most_faults = 100;
 constexpr double most_far = 1e15;  // single precision squares it
@@ -175,7 +174,7 @@ class MeshReader {
     }
     add_polygon();
     if (mesh_.corners.size() > most_triangles) {
-      refuse("more than 20 million triangles", "use a coarser mesh");
+      refuse("more than 10 million triangles", "use a coarser mesh");
       while (lines_.next()) {
       }
     }

@@ -2,6 +2,7 @@
 /// Reading an ordinary OBJ mesh, with its MTL materials.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <vector>
 
@@ -9,6 +10,9 @@
 #include "math/triangles.h"
 
 namespace portalens {
+
+/// Of a mesh, and of all the meshes of a scene together; some 4 GiB with the accelerator.
+inline constexpr std::size_t most_triangles = 10'000'000;
 
 /// `triangles.material_of` indexes `materials`, which are tables of kind "material" in our own keys
 /// (diffuse, reflective, roughness, emitted); both are empty if the file names no material.

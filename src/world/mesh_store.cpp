@@ -5,12 +5,6 @@
 #include "core/words.h"
 
 namespace portalens {
-namespace {
-
-/// Of all meshes together; some 4 GiB with the accelerator.
-constexpr std::size_t most_triangles = 10'000'000;
-
-}  // namespace
 
 std::optional<LoadedMesh> MeshStore::load(const Mesh& mesh, const Location& asked_at) {
   if (mesh.file().empty()) return std::nullopt;  // already told
