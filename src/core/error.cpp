@@ -14,6 +14,16 @@ const std::string& file_of(const Location& where) {
   return where.file ? *where.file : command_line;
 }
 
+/// Without what would move a terminal's cursor, or worse: names and bytes of a stranger's file end
+/// up in messages.
+std::string harmless(std::string text) {
+  for (char& letter : text) {
+    const auto code = static_cast<unsigned char>(letter);
+    if (code < 0x20 || code == 0x7f) letter = letter == '\n' ? ' ' : '?';
+  }
+  return text;
+}
+
 std::string joined(const std::vector<Fault>& faults) {
   std::string text;
   for (const Fault& fault : faults) {
@@ -43,7 +53,7 @@ std::string to_string(const Fault& fault) {
   if (fault.where.line > 0) text.append(":").append(std::to_string(fault.where.line));
   text.append(": ").append(fault.problem);
   if (!fault.remedy.empty()) text.append("; ").append(fault.remedy);
-  return text;
+  return harmless(std::move(text));
 }
 
 SceneError::SceneError(std::vector<Fault> faults)

@@ -22,7 +22,7 @@ struct Fault {
   std::string remedy;
 };
 
-/// `file:line: problem; remedy`, as the user reads it.
+/// `file:line: problem; remedy`, as the user reads it: one line, without control characters.
 [[nodiscard]] std::string to_string(const Fault& fault);
 
 /// All the faults of a scene, sorted by file and line; after the first thousand only their number.

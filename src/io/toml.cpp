@@ -11,6 +11,7 @@
 
 #include "core/words.h"
 #include "io/toml_depth.h"
+#include "io/toml_letters.h"
 #include "io/vocabulary.h"
 
 namespace portalens {
@@ -53,7 +54,7 @@ class Converter {
     } else if (const auto* number = node.as_floating_point()) {
       result.data = number->get();
     } else if (const auto* text = node.as_string()) {
-      result.data = text->get();
+      result.data = undisguised(text->get());
     } else if (const auto* list = node.as_array()) {
       Value::List elements;
       for (auto it = list->cbegin(); it != list->cend(); ++it) {
@@ -72,7 +73,7 @@ class Converter {
   Value::Dictionary dictionary(const toml::table& table) const {
     Value::Dictionary entries;
     for (const auto& [key, node] : by_place(table)) {
-      entries.push_back({std::string(key->str()), value(*node, line_of(key->source()))});
+      entries.push_back({undisguised(key->str()), value(*node, line_of(key->source()))});
     }
     return entries;
   }
@@ -90,7 +91,7 @@ class Sorter {
 
   void sort(const toml::table& root) {
     for (const auto& [key, node] : by_place(root)) {
-      const std::string name(key->str());
+      const std::string name = undisguised(key->str());
       const Location where = convert_.at(line_of(key->source()));
       if (Table* section = find_section(*scene_, name)) {
         fill_section(*section, name, *node, where);
@@ -175,8 +176,8 @@ class Sorter {
   std::vector<Placed> placed_;
 };
 
-/// False, and a fault, if the parser must not see the text.
-bool shallow_enough(std::string_view text, const File& file, Faults& faults) {
+/// False, and faults, if the parser must not see the text.
+bool fit_to_parse(std::string_view text, const File& file, Faults& faults) {
   const TomlDepth depth = toml_depth(text);
   if (depth.brackets > most_brackets) {
     faults.add({file, depth.brackets_line},
@@ -187,21 +188,29 @@ bool shallow_enough(std::string_view text, const File& file, Faults& faults) {
     faults.add({file, depth.dots_line}, "a key of " + std::to_string(depth.dots) + " dots",
                "at most " + std::to_string(most_dots) + " are read");
   }
-  return depth.brackets <= most_brackets && depth.dots <= most_dots;
+  const int broken_line = line_not_utf8(text);
+  if (broken_line > 0) {
+    faults.add({file, broken_line}, "this is not TOML: it has bytes that are not UTF-8",
+               "save it as UTF-8");
+  }
+  return depth.brackets <= most_brackets && depth.dots <= most_dots && broken_line == 0;
 }
 
 }  // namespace
 
 void read_toml(std::string_view text, const File& name, Scene& scene) {
   Faults faults;
-  shallow_enough(text, name, faults);
+  constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+  if (text.substr(0, byte_order_mark.size()) == byte_order_mark)
+    text.remove_prefix(byte_order_mark.size());
+  fit_to_parse(text, name, faults);
   faults.raise();
   try {
-    const toml::table root = toml::parse(text, std::string_view(*name));
+    const toml::table root = toml::parse(disguised(text), std::string_view(*name));
     Sorter(scene, name).sort(root);
   } catch (const toml::parse_error& error) {
     throw SceneError({{{name, line_of(error.source())},
-                       "this is not TOML: " + std::string(error.description()),
+                       "this is not TOML: " + undisguised(error.description()),
                        "mend this first; what follows it has not been read"}});
   }
 }
@@ -214,9 +223,9 @@ std::optional<Value> read_toml_value(const std::string& text) {
   });
   Faults faults;
   const bool one_line = text.find_first_of("\r\n") == std::string::npos;
-  if (!one_line || !shallow_enough(text, nullptr, faults)) return std::nullopt;
+  if (!one_line || !fit_to_parse(text, nullptr, faults)) return std::nullopt;
   try {
-    const toml::table root = toml::parse("value = " + text);
+    const toml::table root = toml::parse("value = " + disguised(text));
     const Value value = Converter(nullptr, faults).value(*root.get("value"), 0);
     if (faults.empty()) return value;
   } catch (const toml::parse_error&) {

@@ -74,9 +74,10 @@ class Scanner {
         ++line_;
       } else if (letter == quote) {
         if (!triple) break;
-        const std::size_t end = std::min(text_.find_first_not_of(quote, at_), text_.size());
-        if (end - at_ >= 3) {  // up to two more quotes belong to the string itself
-          at_ = std::min(end, at_ + 5);
+        const std::string_view ahead = text_.substr(at_, 5);
+        const std::size_t quotes = std::min(ahead.find_first_not_of(quote), ahead.size());
+        if (quotes >= 3) {  // up to two more quotes belong to the string itself
+          at_ += quotes;
           return;
         }
       }
