@@ -198,6 +198,8 @@ Json describe_json(const Scene& scene, const World& world) {
   const Environment& environment = world.appearance.environment;
   Json lights = Json::array();
   for (const Light& light : world.appearance.lights) lights.push_back(name_of(light));
+  std::vector<std::string> notes = world.remarks;
+  notes.insert(notes.end(), scene.notes.begin(), scene.notes.end());
   return {{"scene", world.file.string()},
           {"camera", camera_json(world.camera)},
           {"film", {{"width", world.film.width}, {"height", world.film.height}}},
@@ -212,7 +214,7 @@ Json describe_json(const Scene& scene, const World& world) {
           {"portals", portals_json(world)},
           {"lights", lights},
           {"warnings", world.warnings},
-          {"notes", scene.notes}};
+          {"notes", notes}};
 }
 
 std::string describe_text(const Scene& scene, const World& world) {
@@ -237,6 +239,7 @@ std::string describe_text(const Scene& scene, const World& world) {
   const Environment& environment = world.appearance.environment;
   line("environment", environment.image ? "an image" : place(environment.color));
   for (const std::string& warning : world.warnings) text += "warning: " + warning + '\n';
+  for (const std::string& remark : world.remarks) text += "note: " + remark + '\n';
   for (const std::string& note : scene.notes) text += "note: " + note + '\n';
   return text;
 }

@@ -136,8 +136,9 @@ World compile(const Scene& scene, const CompileOptions& options) {
   look.bodies = std::move(objects.bodies);
   Space space(physics, max_crossings, std::move(objects.shapes), std::move(objects.portals),
               std::move(objects.masses));
-  World world{scene.file, std::move(space), std::move(look), camera, film, sampling, {}};
+  World world{scene.file, std::move(space), std::move(look), camera, film, sampling, {}, {}};
   world.warnings = warnings_about(world);
+  world.remarks = remarks_about(world);
   return world;
 }
 

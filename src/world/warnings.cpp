@@ -14,19 +14,15 @@ namespace {
 
 using Warnings = std::vector<std::string>;
 
+bool within_horizon(const World& world, const Mass& mass) {
+  return mass.horizon && length(world.camera.position - mass.center) <= mass.schwarzschild;
+}
+
 void about_camera(const World& world, Warnings& warnings) {
-  for (const Mass& mass : world.space.masses) {
-    const double distance = length(world.camera.position - mass.center);
-    if (mass.horizon && distance <= mass.schwarzschild) {
+  for (const Mass& mass : world.space.masses)
+    if (within_horizon(world, mass))
       warnings.push_back(fmt::format("the camera lies within the horizon of {}: all is black",
                                      in_quotes(mass.name)));
-    } else if (distance < mass.influence && std::isfinite(mass.influence)) {
-      warnings.push_back(fmt::format(
-          "the camera lies within the influence of {} (distance {:.4g}, radius {:.4g}): what lies "
-          "beyond that radius bends nothing",
-          in_quotes(mass.name), distance, mass.influence));
-    }
-  }
 }
 
 void about_materials(const World& world, Warnings& warnings) {
@@ -96,6 +92,19 @@ void about_light(const World& world, Warnings& warnings) {
 }
 
 }  // namespace
+
+std::vector<std::string> remarks_about(const World& world) {
+  std::vector<std::string> remarks;
+  for (const Mass& mass : world.space.masses) {
+    const double distance = length(world.camera.position - mass.center);
+    if (within_horizon(world, mass) || !std::isfinite(mass.influence)) continue;
+    if (distance < mass.influence)
+      remarks.push_back(
+          fmt::format("the camera lies within the influence of {} (distance {:.4g}, radius {:.4g})",
+                      in_quotes(mass.name), distance, mass.influence));
+  }
+  return remarks;
+}
 
 std::vector<std::string> warnings_about(const World& world) {
   Warnings warnings;

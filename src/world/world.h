@@ -30,7 +30,8 @@ struct World {
   Camera camera;
   Film film;
   Sampling sampling;
-  std::vector<std::string> warnings;  ///< what `check` tells beside the description
+  std::vector<std::string> warnings;  ///< what is probably not meant; `check` tells it
+  std::vector<std::string> remarks;   ///< what is worth knowing; `check` tells that, too
 };
 
 }  // namespace portalens
