@@ -3,9 +3,9 @@ BUILD ?= build
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 DEMO_SCENE ?= scenes/demo.toml
 DEMO_PICTURE ?= $(BUILD)/demo.png
-sources = $(shell find src tests benchmarks -name '*.h' -o -name '*.cpp')
+sources = $(shell find src tests benchmarks fuzz -name '*.h' -o -name '*.cpp')
 
-.PHONY: all demo test test-long bench format clean
+.PHONY: all demo test test-long fuzz bench format clean
 
 all: $(BUILD)/build.ninja
 	@cmake --build $(BUILD) --parallel $(JOBS)
@@ -24,6 +24,14 @@ test: all
 
 test-long: all
 	@cd $(BUILD) && PORTALENS_TEST_SCALE=10 ctest --output-on-failure --parallel $(JOBS)
+
+# So many seconds for each target (make fuzz FUZZ_SECONDS=1200); what is found lies in build/fuzz.
+FUZZ_SECONDS ?= 60
+fuzz:
+	@scripts/install-deps --fuzz
+	@cmake --preset fuzz
+	@cmake --build --preset fuzz --parallel $(JOBS)
+	@python3 fuzz/fuzz.py --seconds $(FUZZ_SECONDS) $(FUZZ_TARGETS)
 
 bench: all
 	@set -e; for program in $(BUILD)/benchmarks/bench_*; do echo "== $${program##*/}"; $$program; done
