@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gravity/way_formulas.h"
+
 namespace portalens {
 
 namespace {
@@ -142,10 +144,9 @@ double least_possible(const Polyline& way, double size, double blur) {
 double best_place(const Slide& slide, Vec3d a, Vec3d b) {
   const double along_a = dot(a - slide.start, slide.direction);
   const double along_b = dot(b - slide.start, slide.direction);
-  const double off_a = length(a - slide.at(along_a)), off_b = length(b - slide.at(along_b));
-  const double off = off_a + off_b;
-  const double best = off > 0.0 ? (along_a * off_b + along_b * off_a) / off : along_a;
-  return std::clamp(best, slide.low, slide.high);
+  const BesideLine<double> ends{along_a, length(a - slide.at(along_a)), along_b,
+                                length(b - slide.at(along_b))};
+  return std::clamp(ends.meeting(), slide.low, slide.high);
 }
 
 double Polyline::total() const { return total_length(*this, 0.0); }

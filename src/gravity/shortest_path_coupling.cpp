@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "gravity/decision_hash.h"
+#include "gravity/way_formulas.h"
 
 namespace portalens {
 
@@ -123,7 +124,7 @@ Vec3d ShortestPathCoupling::attraction(const Image& image, Vec3d x, const Way& w
   const double near2 = dot(ahead, ahead), square = way.length * way.length + image.core2;
   // Exactly at a mass or on a rim there is no direction.
   if (!(near2 > 0.0) || !(square > 0.0)) return {};
-  return ahead * (image.gm * way.length / (square * std::sqrt(square) * std::sqrt(near2)));
+  return ahead * way_pull(image.gm, way.length, square, near2);
 }
 
 std::vector<PullPart> ShortestPathCoupling::parts(Vec3d x) const {
@@ -166,11 +167,7 @@ Pull ShortestPathCoupling::pull(Vec3d x, Vec3d anchor) const {
     total.acceleration += acceleration;
     const double square = way.length * way.length + image.core2, inverse2 = 1.0 / square;
     const Vec3d ahead = way.towards - x;
-    const double near2 = dot(ahead, ahead);
-    // Beside a rim the direction turns within the distance to it. Not resolved closer than a
-    // thousandth of the way: what that leaves out is as small a share of the pull.
-    const double scale2 = way.straight ? square : std::max(near2, 1e-6 * square);
-    const double scale_inverse2 = 1.0 / scale2;
+    const double scale_inverse2 = 1.0 / way_scale2(way.straight, square, dot(ahead, ahead));
     total.stiffness += image.gm * inverse2 * scale_inverse2 * std::sqrt(scale_inverse2);
     total.nearness += scale_inverse2 * scale_inverse2;
   }

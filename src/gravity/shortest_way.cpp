@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "gravity/way_formulas.h"
+
 namespace portalens {
 
 namespace {
@@ -28,22 +30,12 @@ Passage rim_passage(const PortalFace& face, std::uint32_t edge, double place) {
   return {Passage::Kind::edge, edge};
 }
 
-/// The best way over one edge, turned flat about it; ends in the face's coordinates.
-struct EdgeWay {
-  double length, place;
-};
-
-EdgeWay over_edge(const FaceEdge& edge, Vec3d a, Vec3d b) {
-  const double along_a = edge.along(a.x, a.y), along_b = edge.along(b.x, b.y);
+/// The best way over one edge; ends in the face's coordinates.
+RimWay<double> over_edge(const FaceEdge& edge, Vec3d a, Vec3d b) {
   const double outside_a = edge.outside(a.x, a.y), outside_b = edge.outside(b.x, b.y);
-  const double square_a = outside_a * outside_a + a.z * a.z;
-  const double square_b = outside_b * outside_b + b.z * b.z;
-  const double off_a = std::sqrt(square_a), off_b = std::sqrt(square_b);
-  const double off = off_a + off_b;
-  const double free = off > 0.0 ? (along_a * off_b + along_b * off_a) / off : along_a;
-  const double place = std::clamp(free, 0.0, edge.length);
-  const double to_a = place - along_a, to_b = place - along_b;
-  return {std::sqrt(square_a + to_a * to_a) + std::sqrt(square_b + to_b * to_b), place};
+  const BesideLine<double> ends{edge.along(a.x, a.y), std::sqrt(outside_a * outside_a + a.z * a.z),
+                                edge.along(b.x, b.y), std::sqrt(outside_b * outside_b + b.z * b.z)};
+  return over_rim(ends, edge.length);
 }
 
 /// One face: straight, or the best of its edges.
@@ -57,7 +49,7 @@ bool shortest_by_one(Vec3d from, Vec3d to, const PortalFace& face, double limit,
   double best = limit;
   bool found = false;
   for (std::uint32_t i = 0; i < face.edges().size(); ++i) {
-    const EdgeWay way = over_edge(face.edges()[i], a, b);
+    const RimWay<double> way = over_edge(face.edges()[i], a, b);
     const Passage passage = rim_passage(face, i, way.place);
     const bool between_insides =
         found && passage.kind == Passage::Kind::edge && out.kind == Passage::Kind::edge;
@@ -112,7 +104,7 @@ class Search {
         if (t >= 0.0) continue;
         double least = std::numeric_limits<double>::infinity();
         for (std::uint32_t e = 0; e < face.edges().size(); ++e) {
-          const EdgeWay way = over_edge(face.edges()[e], a, b);
+          const RimWay<double> way = over_edge(face.edges()[e], a, b);
           if (!(way.length < least)) continue;
           least = way.length;
           choice_[i] = static_cast<std::int32_t>(e);

@@ -31,8 +31,9 @@ struct LaneCoupled {
   [[nodiscard]] Vec3<R> acceleration(Vec3<R> x) const {
     return direct.acceleration(x) + through.acceleration(x);
   }
-  [[nodiscard]] R boundary(Vec3<R> x, Vec3<R> t, Vec3<R> bend) const {
-    return min(direct.boundary(x, t, bend), through.boundary(x, t));
+  [[nodiscard]] R boundary(Vec3<R> x, Vec3<R> t, Vec3<R> bend, R limit) const {
+    const R least = direct.boundary(x, t, bend, limit);
+    return min(least, through.boundary(x, t, bend, min(least, limit)));
   }
 };
 

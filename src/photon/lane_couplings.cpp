@@ -1,6 +1,7 @@
 #include "photon/lane_couplings.h"
 
 #include <algorithm>
+#include <cmath>
 #include <variant>
 
 #include "gravity/attraction.h"
@@ -93,6 +94,18 @@ class GatePlanner {
   return true;
 }
 
+LaneFace face_of(const Portal& portal, Vec3d center, double reach) {
+  const Rectangle rectangle = rectangle_of(portal);
+  return {narrow(portal.frame.origin - center),
+          narrow(portal.frame.right),
+          narrow(portal.frame.up),
+          narrow(portal.frame.normal),
+          static_cast<float>(rectangle.half_width),
+          static_cast<float>(rectangle.half_height),
+          static_cast<float>(portal.height_tolerance()),
+          static_cast<float>(reach * reach)};
+}
+
 void fill_map(const GravitonGrid& grid, double inverse_c2, LaneMap& map,
               std::vector<float>& nodes) {
   map.low_x = static_cast<float>(grid.low_x());
@@ -123,22 +136,43 @@ void add_maps(const Space& space, const GravitonMapCoupling& coupling, LanePlan&
   for (std::uint32_t a = 0; a < portals.size(); ++a) {
     const double reach = coupling.exact().reach(a);
     if (!(reach > 0.0)) continue;
-    const Portal& portal = portals[a];
-    const Rectangle rectangle = rectangle_of(portal);
     LaneMap& map = plan.scene.maps[plan.scene.map_count++];
-    map.origin = narrow(portal.frame.origin - plan.center);
-    map.right = narrow(portal.frame.right);
-    map.up = narrow(portal.frame.up);
-    map.normal = narrow(portal.frame.normal);
-    map.half_width = static_cast<float>(rectangle.half_width);
-    map.half_height = static_cast<float>(rectangle.half_height);
-    map.tolerance = static_cast<float>(portal.height_tolerance());
-    map.reach2 = static_cast<float>(reach * reach);
+    map.face = face_of(portals[a], plan.center, reach);
     first.push_back(plan.map_nodes.size());
     fill_map(coupling.grid(a), inverse_c2, map, plan.map_nodes);
   }
   for (std::size_t i = 0; i < first.size(); ++i)
     plan.scene.maps[i].nodes = plan.map_nodes.data() + first[i];
+}
+
+/// Chains of one portal only.
+[[nodiscard]] bool add_ways(const Space& space, const ShortestPathCoupling& coupling,
+                            LanePlan& plan) {
+  LaneScene& scene = plan.scene;
+  if (coupling.images().size() > most_lane_ways) return false;
+  std::uint32_t entered = no_portal;
+  for (const ShortestPathCoupling::Image& image : coupling.images()) {
+    const std::vector<std::uint32_t> chain = coupling.chain(image);
+    if (chain.size() > 1) return false;
+    const Portal& portal = space.portals.portals()[chain.front()];
+    // Images come portal by portal.
+    if (chain.front() != entered)
+      scene.entrances[scene.entrance_count++] = {face_of(portal, plan.center, 0.0), scene.way_count,
+                                                 scene.way_count};
+    entered = chain.front();
+    ++scene.entrances[scene.entrance_count - 1].end;
+    const Vec3d local = portal.frame.to_local(image.center);
+    const Rectangle rectangle = rectangle_of(portal);
+    const auto off = [&](double aside) { return static_cast<float>(std::hypot(aside, local.z)); };
+    scene.ways[scene.way_count++] = {
+        narrow(local),
+        static_cast<float>(gravitational_radius(image.gm, space.physics.c)),
+        static_cast<float>(image.core2),
+        static_cast<float>(image.influence),
+        {off(local.y + rectangle.half_height), off(local.x - rectangle.half_width),
+         off(local.y - rectangle.half_height), off(local.x + rectangle.half_width)}};
+  }
+  return true;
 }
 
 }  // namespace
@@ -148,6 +182,8 @@ bool add_coupling(const Space& space, LanePlan& plan) {
     return GatePlanner(space, *closest, plan.center, plan.scene).plan();
   if (const auto* map = std::get_if<GravitonMapCoupling>(&space.coupling))
     return add_maps(space, *map, plan), true;
+  if (const auto* shortest = std::get_if<ShortestPathCoupling>(&space.coupling))
+    return add_ways(space, *shortest, plan);
   if (const auto* masses = std::get_if<PortalMassCoupling>(&space.coupling))
     return add_portal_masses(space, *masses, plan.center, plan.scene);
   return std::holds_alternative<NoCoupling>(space.coupling);

@@ -85,8 +85,9 @@ struct LaneField {
     return sum;
   }
 
-  /// Arc length along the parabola x + t s + bend s²/2 to the next place where a decision changes.
-  [[nodiscard]] R boundary(Vec3<R> x, Vec3<R> t, Vec3<R> bend) const {
+  /// Arc length along the parabola x + t s + bend s²/2 to the next place where a decision changes;
+  /// changes beyond a limit, the last argument, need not be found.
+  [[nodiscard]] R boundary(Vec3<R> x, Vec3<R> t, Vec3<R> bend, R) const {
     const R never(scene.farthest);
     R least = never;
     for (int i = 0; i < scene.mass_count; ++i) {

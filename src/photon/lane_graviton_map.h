@@ -19,11 +19,11 @@ class LaneGravitonMap {
     acting_ = R(1) < R(0);
     for (int k = 0; k < scene_.map_count; ++k) {
       const LaneMap& map = scene_.maps[k];
-      const Vec3<R> local = local_of(map, anchor);
-      feet_[k] = foot_on(map, local);
+      const Vec3<R> local = local_in(map.face, anchor);
+      feet_[k] = foot_on(map.face, local);
       const R x = feet_[k].x(local), y = feet_[k].y(local);
       const R dx = local.x - x, dy = local.y - y;
-      const Mask near = dx * dx + dy * dy + local.z * local.z < R(map.reach2);
+      const Mask near = dx * dx + dy * dy + local.z * local.z < R(map.face.reach2);
       acts_[k] = select(near, R(1), R(0));
       acting_ = acting_ | near;
       const Cell cell = cell_at(map, x, y);
@@ -54,14 +54,14 @@ class LaneGravitonMap {
     return sum;
   }
 
-  [[nodiscard]] R boundary(Vec3<R> x, Vec3<R> t) const {
+  [[nodiscard]] R boundary(Vec3<R> x, Vec3<R> t, Vec3<R>, R) const {
     const R never(scene_.farthest);
     R least = never;
     for (int k = 0; k < scene_.map_count; ++k) {
       const LaneMap& map = scene_.maps[k];
-      const Vec3<R> local = local_of(map, x);
-      const Vec3<R> way = to_axes(t, map.right, map.up, map.normal);
-      least = min(least, until_other_foot(map, feet_[k], local, way, never));
+      const Vec3<R> local = local_in(map.face, x);
+      const Vec3<R> way = to_axes(t, map.face.right, map.face.up, map.face.normal);
+      least = min(least, until_other_foot(map.face, feet_[k], local, way, never));
       const R qx = feet_[k].x(local), qy = feet_[k].y(local);
       const R vx = feet_[k].keep_x * way.x, vy = feet_[k].keep_y * way.y;
       least = min(least, until_zero(qx - low_x_[k], vx, never));
@@ -83,10 +83,6 @@ class LaneGravitonMap {
     Vec3<R> acceleration;
   };
 
-  [[nodiscard]] static Vec3<R> local_of(const LaneMap& map, Vec3<R> x) {
-    return to_axes(x - spread<R>(map.origin), map.right, map.up, map.normal);
-  }
-
   [[nodiscard]] static Cell cell_at(const LaneMap& map, R x, R y) {
     // What is no number ends up in the last cell.
     const R u = (x - R(map.low_x)) * R(map.per_x), v = (y - R(map.low_y)) * R(map.per_y);
@@ -101,7 +97,7 @@ class LaneGravitonMap {
 
   [[nodiscard]] Found look_up(int k, Vec3<R> x) const {
     const LaneMap& map = scene_.maps[k];
-    const Vec3<R> local = local_of(map, x);
+    const Vec3<R> local = local_in(map.face, x);
     const R qx = feet_[k].x(local), qy = feet_[k].y(local);
     const Cell cell = cell_at(map, qx, qy);
     const R u = (qx - R(map.low_x)) * R(map.per_x) - cell.i;

@@ -23,9 +23,9 @@ struct LanePlan {
   LanePlan& operator=(const LanePlan&) = delete;
 };
 
-/// Null where lanes can't do it: a fixed-step integrator, infinite influences, `shortest-path`,
-/// portals that are no rectangles, or more masses, portals or
-/// chains than the lanes have room for. The scalar engine does all of that.
+/// Null where lanes can't do it: a fixed-step integrator, infinite influences, portals that are no
+/// rectangles, `shortest-path` through more than one portal, or more masses, portals, chains or
+/// ways than the lanes have room for. The scalar engine does all of that.
 [[nodiscard]] std::unique_ptr<const LanePlan> plan_lanes(const Space& space);
 
 }  // namespace portalens

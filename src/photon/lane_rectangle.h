@@ -19,6 +19,12 @@ Vec3<R> to_axes(Vec3<R> d, LaneVec right, LaneVec up, LaneVec normal) {
   return {dot(d, spread<R>(right)), dot(d, spread<R>(up)), dot(d, spread<R>(normal))};
 }
 
+/// A place in the local coordinates of a face.
+template <class R>
+Vec3<R> local_in(const LaneFace& face, Vec3<R> x) {
+  return to_axes(x - spread<R>(face.origin), face.right, face.up, face.normal);
+}
+
 /// The feature of a rectangle that is nearest: q.x = keep_x · local.x + fix_x, and so on.
 template <class R>
 struct LaneFoot {

@@ -13,6 +13,7 @@ struct LaneVec {
   float x, y, z;
 };
 
+/// A mass, or a portal that acts as one.
 struct LaneMass {
   LaneVec center;
   float gm;  ///< G M / c², length
@@ -46,12 +47,32 @@ struct LaneGate {
   LaneVec images[most_lane_masses];  ///< of the masses, in local coordinates
 };
 
-/// One portal's grid of a `graviton-map`, on its rectangle.
-struct LaneMap {
+/// A portal's rectangle, about its middle.
+struct LaneFace {
   LaneVec origin, right, up, normal;
   float half_width, half_height;
   float tolerance;  ///< heights down to minus this count as in front
   float reach2;
+};
+
+/// One mass of `shortest-path` through one portal. Local coordinates are those of its face.
+struct LaneWay {
+  LaneVec image;  ///< where the mass seems to be
+  float gm, core2, influence;
+  /// Of the image from the lines of the rim: below (y = -h), right (x = w), above, left.
+  float off[4];
+};
+inline constexpr int most_lane_ways = 16;
+
+/// The ways through one portal.
+struct LaneEntrance {
+  LaneFace face;
+  int first, end;  ///< of its ways
+};
+
+/// One portal's grid of a `graviton-map`.
+struct LaneMap {
+  LaneFace face;
   float low_x, low_y, spacing_x, spacing_y;
   float per_x, per_y;    ///< 1 / spacing
   float last_i, last_j;  ///< of the cells
@@ -93,7 +114,8 @@ struct LaneBox {
 };
 
 struct LaneScene {
-  int mass_count, gate_count, map_count, portal_count, polygon_count, sphere_count, box_count;
+  int mass_count, gate_count, map_count, entrance_count, way_count, portal_count, polygon_count,
+      sphere_count, box_count;
   float stiffness_weight, nearness_weight;  ///< of the step, see Nystrom
   float ahead;      ///< the place that decides what acts lies this far ahead
   float overshoot;  ///< a step ends this far past a boundary
@@ -102,6 +124,8 @@ struct LaneScene {
   LaneMass masses[most_lane_masses];
   LaneGate gates[most_lane_gates];
   LaneMap maps[most_lane_portals];
+  LaneEntrance entrances[most_lane_portals];
+  LaneWay ways[most_lane_ways];
   LanePortal portals[most_lane_portals];
   LanePolygon polygons[most_lane_polygons];
   LaneSphere spheres[most_lane_spheres];

@@ -6,6 +6,7 @@
 #include "photon/lane_field.h"
 #include "photon/lane_graviton_map.h"
 #include "photon/lane_scene.h"
+#include "photon/lane_shortest_path.h"
 #include "photon/nystrom.h"
 
 namespace portalens {
@@ -64,7 +65,7 @@ class LaneStepper {
     R h = Nystrom::propose(start.stiffness, start.nearness, R(scene_.stiffness_weight),
                            R(scene_.nearness_weight));
     const V bend = turning_part(start.acceleration, t);
-    h = min(h, field.boundary(x, t, bend) + R(scene_.overshoot));
+    h = min(h, field.boundary(x, t, bend, h) + R(scene_.overshoot));
     h = select(field.acting & live, h, R(1));
     const auto acceleration = [&](V place) { return field.acceleration(place); };
     const StateOf<R> end = Nystrom::step(acceleration, StateOf<R>{x, t}, start.acceleration, h).end;
@@ -304,6 +305,8 @@ template <class R>
 void step_lanes(const LaneScene& scene, Lanes& lanes) {
   if (scene.map_count > 0)
     step_lanes_in<R, LaneCoupled<R, LaneGravitonMap<R>>>(scene, lanes);
+  else if (scene.way_count > 0)
+    step_lanes_in<R, LaneCoupled<R, LaneShortestPath<R>>>(scene, lanes);
   else
     step_lanes_in<R, LaneField<R>>(scene, lanes);
 }

@@ -106,6 +106,7 @@ INSTANTIATE_TEST_SUITE_P(Couplings, LanesOfCoupling,
                          testing::Values(std::pair("none", 0), std::pair("closest-point", 1),
                                          std::pair("closest-point", 2),
                                          std::pair("graviton-map", 1), std::pair("graviton-map", 2),
+                                         std::pair("shortest-path", 1),
                                          std::pair("portal-mass", 1)));
 
 TEST(Lanes, APhotonsAnswerDoesNotDependOnItsNeighbours) {
