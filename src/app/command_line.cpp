@@ -4,23 +4,27 @@
 #include <algorithm>
 #include <cctype>
 #include <iostream>
+#include <memory>
 
 #include "app/command.h"
+#include "core/error.h"
+#include "core/words.h"
 
 namespace portalens {
 namespace {
 
 constexpr const char* examples = R"(
 Examples:
-  portalens render scene.toml                  writes scene.png here
+  portalens render scene.toml           writes scene.png here
   portalens render scene.toml -o big.exr --width 1920 --height 1080 --samples 64
   portalens render scene.toml --set physics.portal_gravity=shortest-path
-  portalens check scene.toml                   what the scene holds, and what is odd about it
+  portalens check scene.toml            what the scene holds, and what is odd
   portalens trace scene.toml --ray 0 1 5  0 0 -1 --json
   portalens field scene.toml --plane xz -o field.png
-  portalens draw scene.toml --pixel 120 80 --view top    the way of a pixel's photon, drawn
+  portalens draw scene.toml --pixel 120 80 --view top
 
-Exit codes: 0 done; 1 the work failed (disk, memory); 2 the scene or the command line has a fault.)";
+Exit codes: 0 done; 1 the work failed (disk, memory); 2 the scene or the command
+line has a fault; 130 interrupted.)";
 
 /// CLI11 2.1 takes "-.5" for an option; "-0.5" it takes for a number.
 void spell_out_negative_fractions(std::vector<std::string>& arguments) {
@@ -30,11 +34,66 @@ void spell_out_negative_fractions(std::vector<std::string>& arguments) {
       word.insert(1, "0");
 }
 
+/// The text in rows of no more characters than that, unless a word is longer.
+std::string in_rows(const std::string& text, std::size_t most) {
+  std::string rows;
+  std::size_t row = 0;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    if (row > 0) rows += row + 1 + (end - begin) > most ? '\n' : ' ';
+    row = row > 0 && rows.back() == ' ' ? row + 1 : 0;
+    rows.append(text, begin, end - begin);
+    row += end - begin;
+    begin = end + 1;
+  }
+  return rows;
+}
+
+/// Help that fits a terminal of 80 columns.
+class NarrowHelp : public CLI::Formatter {
+ public:
+  std::string make_option_desc(const CLI::Option* option) const override {
+    return in_rows(CLI::Formatter::make_option_desc(option), 80 - get_column_width());
+  }
+};
+
+/// What is wrong with the command line, and what would be right.
+Fault fault_of(const CLI::App& program, const CLI::ParseError& error) {
+  const std::vector<CLI::App*> named = program.get_subcommands();
+  if (named.empty()) {
+    std::vector<std::string> known;
+    for (const CLI::App* command : program.get_subcommands({}))
+      known.push_back(command->get_name());
+    const std::vector<std::string> rest = program.remaining();
+    if (rest.empty()) return {{}, "a command is missing", "known are " + listed(known)};
+    const bool option = rest.front().starts_with('-');
+    return {{},
+            (option ? "unknown option " : "unknown command ") + in_quotes(rest.front()),
+            option ? "try portalens --help" : suggestion_or_list(rest.front(), known)};
+  }
+  const CLI::App& command = *named.front();
+  const std::string help = "try portalens " + command.get_name() + " --help";
+  std::vector<std::string> rest = command.remaining();
+  if (rest.empty()) rest = program.remaining();
+  if (rest.empty()) return {{}, error.what(), help};
+  const auto option = std::find_if(rest.begin(), rest.end(),
+                                   [](const std::string& word) { return word.starts_with('-'); });
+  if (option == rest.end()) return {{}, "nothing is known to do with " + in_quotes(rest[0]), help};
+  std::vector<std::string> known;
+  for (const CLI::Option* one : command.get_options())
+    for (const std::string& name : one->get_lnames()) known.push_back("--" + name);
+  const std::string meant = suggestion(*option, known);
+  return {{},
+          "unknown option " + in_quotes(*option),
+          meant.empty() ? help : "did you mean " + meant + '?'};
+}
+
 }  // namespace
 
 int run_command_line(std::vector<std::string> arguments) {
   CLI::App program("Pictures of scenes whose light bends around masses and goes through portals.",
                    "portalens");
+  program.formatter(std::make_shared<NarrowHelp>());
   program.footer(examples);
   program.set_version_flag("--version", "portalens " PORTALENS_VERSION);
   program.require_subcommand(1);
@@ -52,8 +111,9 @@ int run_command_line(std::vector<std::string> arguments) {
     program.parse(std::move(arguments));
   } catch (const CLI::ParseError& error) {
     const bool asked = error.get_exit_code() == 0;  // --help, --version
+    if (!asked) throw SceneError({fault_of(program, error)});
     program.exit(error, std::cout, std::cerr);
-    return asked ? exit_done : exit_users_fault;
+    return exit_done;
   }
   return chosen();
 }

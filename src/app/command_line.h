@@ -7,10 +7,10 @@
 
 namespace portalens {
 
-/// Runs what the arguments (without the program's name) ask for. What is wrong with them goes to
-/// standard error.
+/// Runs what the arguments (without the program's name) ask for.
 /// @return the exit code
-/// @throws SceneError, WorkError, std::bad_alloc as the subcommands do
+/// @throws SceneError if they ask for nonsense; SceneError, WorkError, std::bad_alloc as the
+/// subcommands do
 [[nodiscard]] int run_command_line(std::vector<std::string> arguments);
 
 }  // namespace portalens

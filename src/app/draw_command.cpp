@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 
+#include "app/choices.h"
 #include "app/command.h"
 #include "app/draw_scene.h"
 #include "app/scene_options.h"
@@ -147,7 +148,7 @@ void add_ray_options(CLI::App& command, DrawArguments& arguments) {
               "--color", arguments.style.color,
               "Colour the ways by how their photons end, or by how sharply they turn, instead "
               "of step by step")
-          ->transform(CLI::CheckedTransformer(path_color_names()).description(""))
+          ->transform(one_of(path_color_names()))
           ->type_name("fate|turning");
   command
       .add_option("--every", arguments.style.steps_a_color,
@@ -167,7 +168,7 @@ void add_view_options(CLI::App& command, DrawArguments& arguments) {
       .add_option("--view", arguments.view,
                   "camera (the scene's, the default), or a plan: top (x, z), front (x, y), "
                   "side (z, y)")
-      ->transform(CLI::CheckedTransformer(views).description(""))
+      ->transform(one_of(views))
       ->type_name("camera|top|front|side");
   command.add_option("--eye", arguments.eye, "Draw from a camera here instead of the scene's")
       ->expected(3)

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/choices.h"
 #include "app/command.h"
 #include "app/drawing.h"
 #include "app/field_drawing.h"
@@ -99,7 +100,7 @@ void add_drawing_options(CLI::App& command, FieldArguments& arguments) {
   command
       .add_option("--ways", arguments.drawing.ways,
                   "Ways drawn from a point: to the nearest face (the default), to all, or none")
-      ->transform(CLI::CheckedTransformer(kinds))
+      ->transform(one_of(kinds))
       ->type_name("nearest|all|none");
   arguments.drawing.threads = available_threads();
   command

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/choices.h"
 #include "app/command.h"
 #include "app/display_server.h"
 #include "app/false_color.h"
@@ -197,14 +198,12 @@ int render_scene(const RenderArguments& arguments) {
 /// An option that stands for a value of the scene.
 void add_override(CLI::App& command, RenderArguments& arguments, const std::string& option,
                   const std::string& key, const std::string& meaning) {
-  command
-      .add_option_function<int>(
-          option,
-          [&arguments, key](const int& value) {
-            arguments.overrides.emplace_back(key, std::to_string(value));
-          },
-          meaning + " (" + key + ")")
-      ->check(CLI::PositiveNumber);
+  command.add_option_function<int>(
+      option,
+      [&arguments, key](const int& value) {
+        arguments.overrides.emplace_back(key, std::to_string(value));
+      },
+      meaning + " (" + key + ")");
 }
 
 }  // namespace
@@ -234,7 +233,7 @@ void add_render_command(CLI::App& program, Command& chosen) {
   command
       .add_option("--layers", arguments->layers,
                   "Write these, too, beside the picture's R, G, B (an .exr file): " +
-                      fmt::format("{}", fmt::join(layer_names, ",")))
+                      fmt::format("{}", fmt::join(layer_names, ", ")))
       ->delimiter(',')
       ->check(CLI::IsMember(std::vector<std::string>(layer_names.begin(), layer_names.end())))
       ->type_name("NAME,...");
@@ -252,10 +251,8 @@ void add_render_command(CLI::App& program, Command& chosen) {
       .add_option("--engine", arguments->options.engine,
                   "automatic: photons in lanes of floats where the scene allows it; scalar: one by "
                   "one in double, the program's own standard")
-      ->transform(
-          CLI::CheckedTransformer(std::map<std::string, Engine>{{"automatic", Engine::automatic},
-                                                                {"scalar", Engine::scalar}},
-                                  CLI::ignore_case))
+      ->transform(one_of(std::map<std::string, Engine>{{"automatic", Engine::automatic},
+                                                       {"scalar", Engine::scalar}}))
       ->type_name("automatic|scalar");
   command.add_flag("-q,--quiet", arguments->quiet, "Print nothing but faults");
   command.add_flag("--stats", arguments->statistics, "Print what it took");

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/choices.h"
 #include "app/command.h"
 #include "app/draw_scene.h"
 #include "app/drawing.h"
@@ -227,11 +228,11 @@ void add_trace_command(CLI::App& program, Command& chosen) {
   command
       .add_option("--color", arguments->color,
                   "Colour the ways by how their photons end, or by how sharply they turn")
-      ->transform(CLI::CheckedTransformer(path_color_names()))
+      ->transform(one_of(path_color_names()))
       ->needs(output)
       ->type_name("fate|turning");
   command.add_option("--plan", arguments->view, "From where a drawing looks at the scene")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Standpoint>{
+      ->transform(one_of(std::map<std::string, Standpoint>{
           {"top", Standpoint::top}, {"front", Standpoint::front}, {"side", Standpoint::side}}))
       ->needs(output)
       ->type_name("top|front|side");

@@ -41,12 +41,12 @@ using Metadata = std::vector<std::pair<std::string, std::string>>;
 /// Writes the channels (all of width × height) as the suffix says: `.exr` float, linear, with the
 /// metadata; `.png` 8-bit sRGB of R, G, B. Encoded to memory, written to a temporary file beside
 /// the target, flushed, renamed, read back: the old picture stays whole until the new one is.
-/// @throws WorkError with the path and the cause
+/// @throws SceneError if the suffix is another, WorkError with the path and the cause
 void write_image(const std::filesystem::path& file, int width, int height,
                  const std::vector<Channel>& channels, const Metadata& metadata);
 
-/// @throws WorkError if `file` can't be written there: a suffix not known, no such folder, no
-/// permission. Called before the first photon.
+/// @throws SceneError if the suffix is not known, WorkError if `file` can't be written there: no
+/// such folder, no permission. Called before the first photon.
 void check_writable(const std::filesystem::path& file);
 
 }  // namespace portalens

@@ -31,7 +31,8 @@ Target target_of(const fs::path& file) {
   }
   if (suffix == ".exr") return Target::exr;
   if (suffix == ".png") return Target::png;
-  throw WorkError("can't write " + file.string() + ": a picture's name ends in .exr or .png");
+  throw SceneError({{Location{}, "can't write " + file.string() + ": its kind is not known",
+                     "a picture's name ends in .exr or .png"}});
 }
 
 void check_values(const fs::path& file, int width, int height,
