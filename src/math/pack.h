@@ -6,7 +6,6 @@
 /// all sets give the same bits.
 #pragma once
 
-#include <cstdint>
 #include <xsimd/xsimd.hpp>
 
 namespace portalens {
@@ -26,15 +25,6 @@ struct Pair {
     friend Mask operator|(Mask x, Mask y) { return {x.a | y.a, x.b | y.b}; }
     friend Mask operator!(Mask x) { return {!x.a, !x.b}; }
     friend bool any(Mask x) { return xsimd::any(x.a | x.b); }
-  };
-
-  /// A whole number in each lane.
-  struct Index {
-    using Whole = xsimd::batch<std::int32_t, typename P::arch_type>;
-    Whole a, b;
-
-    friend Index operator+(Index x, Index y) { return {x.a + y.a, x.b + y.b}; }
-    friend Index operator*(Index x, int k) { return {x.a * Whole(k), x.b * Whole(k)}; }
   };
 
   static constexpr int lanes = 2 * static_cast<int>(P::size);
@@ -69,13 +59,6 @@ struct Pair {
   }
   friend Pair sqrt(Pair x) { return {xsimd::sqrt(x.a), xsimd::sqrt(x.b)}; }
   friend Pair abs(Pair x) { return {xsimd::abs(x.a), xsimd::abs(x.b)}; }
-  /// Towards 0. @pre it fits
-  friend Index whole(Pair x) { return {xsimd::to_int(x.a), xsimd::to_int(x.b)}; }
-  friend Pair real(Index x) { return {xsimd::to_float(x.a), xsimd::to_float(x.b)}; }
-  /// Each lane reads at its own place.
-  static Pair gather(const float* table, Index at) {
-    return {P::gather(table, at.a), P::gather(table, at.b)};
-  }
   // min and max by comparison: the instructions differ between sets in how they treat NaN.
   friend Pair min(Pair x, Pair y) { return select(x < y, x, y); }
   friend Pair max(Pair x, Pair y) { return select(x > y, x, y); }

@@ -106,26 +106,35 @@ LaneFace face_of(const Portal& portal, Vec3d center, double reach) {
           static_cast<float>(reach * reach)};
 }
 
-void fill_map(const GravitonGrid& grid, double inverse_c2, LaneMap& map,
-              std::vector<float>& nodes) {
-  map.low_x = static_cast<float>(grid.low_x());
-  map.low_y = static_cast<float>(grid.low_y());
-  map.spacing_x = static_cast<float>(grid.spacing_x());
-  map.spacing_y = static_cast<float>(grid.spacing_y());
-  map.per_x = static_cast<float>(1.0 / grid.spacing_x());
-  map.per_y = static_cast<float>(1.0 / grid.spacing_y());
-  map.row = static_cast<int>(grid.count_x());
-  const std::uint32_t last_i = grid.count_x() - 2, last_j = grid.count_y() - 2;
-  map.last_i = static_cast<float>(last_i);
-  map.last_j = static_cast<float>(last_j);
+LaneMap map_of(const GravitonGrid& grid, const LaneFace& face) {
+  return {face,
+          static_cast<float>(grid.low_x()),
+          static_cast<float>(grid.low_y()),
+          static_cast<float>(grid.spacing_x()),
+          static_cast<float>(grid.spacing_y()),
+          static_cast<float>(1.0 / grid.spacing_x()),
+          static_cast<float>(1.0 / grid.spacing_y()),
+          static_cast<float>(grid.count_x() - 2),
+          static_cast<float>(grid.count_y() - 2),
+          static_cast<int>(grid.count_x()),
+          nullptr,
+          nullptr};
+}
+
+void add_nodes(const GravitonGrid& grid, double inverse_c2, LanePlan& plan) {
+  const auto put = [](std::vector<float>& table, double value) {
+    table.push_back(static_cast<float>(value));
+  };
   for (std::uint32_t j = 0; j < grid.count_y(); ++j)
     for (std::uint32_t i = 0; i < grid.count_x(); ++i) {
-      const LaneVec pull = narrow(grid.node(i, j).acceleration * inverse_c2);
-      nodes.insert(nodes.end(), {pull.x, pull.y, pull.z});
-      const GravitonGrid::Cell cell{std::min(i, last_i), std::min(j, last_j)};
-      nodes.push_back(static_cast<float>(grid.stiffness(cell) * inverse_c2 * distant_weight));
-      nodes.push_back(static_cast<float>(grid.nearness(cell)));
-      nodes.push_back(static_cast<float>(grid.to_sharp(cell)));
+      const Pull& node = grid.node(i, j);
+      const Vec3d bend = node.acceleration * inverse_c2;
+      for (const double value : {bend.x, bend.y, bend.z}) put(plan.map_nodes, value);
+      put(plan.map_nodes, node.stiffness * inverse_c2 * distant_weight);
+      const GravitonGrid::Cell cell{std::min(i, grid.count_x() - 2),
+                                    std::min(j, grid.count_y() - 2)};
+      put(plan.map_cells, grid.nearness(cell));
+      put(plan.map_cells, grid.to_sharp(cell));
     }
 }
 
@@ -136,13 +145,16 @@ void add_maps(const Space& space, const GravitonMapCoupling& coupling, LanePlan&
   for (std::uint32_t a = 0; a < portals.size(); ++a) {
     const double reach = coupling.exact().reach(a);
     if (!(reach > 0.0)) continue;
-    LaneMap& map = plan.scene.maps[plan.scene.map_count++];
-    map.face = face_of(portals[a], plan.center, reach);
-    first.push_back(plan.map_nodes.size());
-    fill_map(coupling.grid(a), inverse_c2, map, plan.map_nodes);
+    const LaneFace face = face_of(portals[a], plan.center, reach);
+    plan.scene.maps[plan.scene.map_count++] = map_of(coupling.grid(a), face);
+    first.push_back(plan.map_cells.size() / 2);
+    add_nodes(coupling.grid(a), inverse_c2, plan);
   }
-  for (std::size_t i = 0; i < first.size(); ++i)
-    plan.scene.maps[i].nodes = plan.map_nodes.data() + first[i];
+  // Now that the tables grow no more.
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    plan.scene.maps[i].nodes = plan.map_nodes.data() + 4 * first[i];
+    plan.scene.maps[i].cells = plan.map_cells.data() + 2 * first[i];
+  }
 }
 
 /// Chains of one portal only.

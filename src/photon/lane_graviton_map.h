@@ -26,33 +26,26 @@ class LaneGravitonMap {
       const Mask near = dx * dx + dy * dy + local.z * local.z < R(map.face.reach2);
       acts_[k] = select(near, R(1), R(0));
       acting_ = acting_ | near;
-      const Cell cell = cell_at(map, x, y);
       // Steps may run to the nearest cell where they must end; one of those they don't leave.
-      const R apart = R::gather(map.nodes + 5, cell.at);
-      const R back = max(apart - R(1), R(0)), on = max(apart, R(1));
+      const Cell cell = cell_of(map, Spot(map, x, y));
+      const R back = max(cell.to_sharp - R(1), R(0)), on = max(cell.to_sharp, R(1));
       low_x_[k] = R(map.low_x) + (cell.i - back) * R(map.spacing_x);
       high_x_[k] = R(map.low_x) + (cell.i + on) * R(map.spacing_x);
       low_y_[k] = R(map.low_y) + (cell.j - back) * R(map.spacing_y);
       high_y_[k] = R(map.low_y) + (cell.j + on) * R(map.spacing_y);
+      nearness_[k] = cell.nearness * acts_[k];
     }
   }
   [[nodiscard]] Mask acting() const { return acting_; }
 
   void add_to(LaneBending<R>& sum, Vec3<R> x) const {
-    for (int k = 0; k < scene_.map_count; ++k) {
-      const Found found = look_up(k, x);
-      const float* nodes = scene_.maps[k].nodes;
-      sum.acceleration += found.acceleration;
-      sum.stiffness = sum.stiffness + R::gather(nodes + 3, found.cell.at) * acts_[k];
-      sum.nearness = sum.nearness + R::gather(nodes + 4, found.cell.at) * acts_[k];
-    }
+    const Found found = look_up(x);
+    sum.acceleration += found.acceleration;
+    sum.stiffness = sum.stiffness + found.stiffness;
+    for (int k = 0; k < scene_.map_count; ++k) sum.nearness = sum.nearness + nearness_[k];
   }
 
-  [[nodiscard]] Vec3<R> acceleration(Vec3<R> x) const {
-    Vec3<R> sum{R(0), R(0), R(0)};
-    for (int k = 0; k < scene_.map_count; ++k) sum += look_up(k, x).acceleration;
-    return sum;
-  }
+  [[nodiscard]] Vec3<R> acceleration(Vec3<R> x) const { return look_up(x).acceleration; }
 
   [[nodiscard]] R boundary(Vec3<R> x, Vec3<R> t, Vec3<R>, R) const {
     const R never(scene_.farthest);
@@ -73,44 +66,82 @@ class LaneGravitonMap {
   }
 
  private:
-  /// The cell's lower left node: its numbers, and its place in the table.
+  /// What a node holds.
+  struct Four {
+    using Values = float __attribute__((vector_size(16)));
+    Values values;
+
+    static Four load(const float* at) {
+      Four four;
+      __builtin_memcpy(&four.values, at, sizeof four.values);
+      return four;
+    }
+    friend Four operator+(Four a, Four b) { return {a.values + b.values}; }
+    friend Four operator*(Four a, float s) { return {a.values * s}; }
+  };
+
+  /// A place on a grid, lane by lane, in cells from its corner; `held` within the grid.
+  struct alignas(64) Spot {
+    float u[R::lanes], v[R::lanes], held_u[R::lanes], held_v[R::lanes];
+
+    Spot(const LaneMap& map, R x, R y) {
+      const R across = (x - R(map.low_x)) * R(map.per_x), along = (y - R(map.low_y)) * R(map.per_y);
+      across.store(u);
+      along.store(v);
+      // What is no number is held at the last cell.
+      max(min(across, R(map.last_i)), R(0)).store(held_u);
+      max(min(along, R(map.last_j)), R(0)).store(held_v);
+    }
+  };
+
   struct Cell {
-    R i, j;
-    typename R::Index at;
+    R i, j, nearness, to_sharp;
   };
   struct Found {
-    Cell cell;
     Vec3<R> acceleration;
+    R stiffness;
   };
 
-  [[nodiscard]] static Cell cell_at(const LaneMap& map, R x, R y) {
-    // What is no number ends up in the last cell.
-    const R u = (x - R(map.low_x)) * R(map.per_x), v = (y - R(map.low_y)) * R(map.per_y);
-    const auto i = whole(max(min(u, R(map.last_i)), R(0)));
-    const auto j = whole(max(min(v, R(map.last_j)), R(0)));
-    return {real(i), real(j), (j * map.row + i) * lane_map_stride};
+  [[nodiscard]] static Cell cell_of(const LaneMap& map, const Spot& spot) {
+    alignas(64) float is[R::lanes], js[R::lanes], nearness[R::lanes], to_sharp[R::lanes];
+    for (int lane = 0; lane < R::lanes; ++lane) {
+      const int i = static_cast<int>(spot.held_u[lane]), j = static_cast<int>(spot.held_v[lane]);
+      const float* cell = map.cells + 2 * (j * map.row + i);
+      is[lane] = static_cast<float>(i);
+      js[lane] = static_cast<float>(j);
+      nearness[lane] = cell[0];
+      to_sharp[lane] = cell[1];
+    }
+    return {R::load(is), R::load(js), R::load(nearness), R::load(to_sharp)};
   }
 
-  [[nodiscard]] static Vec3<R> node(const float* nodes, typename R::Index at) {
-    return {R::gather(nodes, at), R::gather(nodes + 1, at), R::gather(nodes + 2, at)};
-  }
-
-  [[nodiscard]] Found look_up(int k, Vec3<R> x) const {
-    const LaneMap& map = scene_.maps[k];
-    const Vec3<R> local = local_in(map.face, x);
-    const R qx = feet_[k].x(local), qy = feet_[k].y(local);
-    const Cell cell = cell_at(map, qx, qy);
-    const R u = (qx - R(map.low_x)) * R(map.per_x) - cell.i;
-    const R v = (qy - R(map.low_y)) * R(map.per_y) - cell.j;
-    const float* above = map.nodes + lane_map_stride * map.row;
-    return {cell, bilinear(node(map.nodes, cell.at), node(map.nodes + lane_map_stride, cell.at),
-                           node(above, cell.at), node(above + lane_map_stride, cell.at), u, v) *
-                      acts_[k]};
+  /// The sum over all maps. Lane by lane: what one needs of a node lies together.
+  [[nodiscard]] Found look_up(Vec3<R> x) const {
+    alignas(64) float acts[R::lanes], out[4][R::lanes] = {};
+    for (int k = 0; k < scene_.map_count; ++k) {
+      if (!any(acts_[k] > R(0))) continue;
+      const LaneMap& map = scene_.maps[k];
+      const Vec3<R> local = local_in(map.face, x);
+      const Spot spot(map, feet_[k].x(local), feet_[k].y(local));
+      acts_[k].store(acts);
+      for (int lane = 0; lane < R::lanes; ++lane) {
+        const int i = static_cast<int>(spot.held_u[lane]), j = static_cast<int>(spot.held_v[lane]);
+        const float* low = map.nodes + 4 * (j * map.row + i);
+        const float* high = low + 4 * map.row;
+        const Four four =
+            bilinear(Four::load(low), Four::load(low + 4), Four::load(high), Four::load(high + 4),
+                     spot.u[lane] - static_cast<float>(i), spot.v[lane] - static_cast<float>(j)) *
+            acts[lane];
+        for (int c = 0; c < 4; ++c) out[c][lane] += four.values[c];
+      }
+    }
+    return {{R::load(out[0]), R::load(out[1]), R::load(out[2])}, R::load(out[3])};
   }
 
   const LaneScene& scene_;
   LaneFoot<R> feet_[most_lane_portals];
   R acts_[most_lane_portals];  ///< 1 within reach, else 0
+  R nearness_[most_lane_portals];
   R low_x_[most_lane_portals], high_x_[most_lane_portals];
   R low_y_[most_lane_portals], high_y_[most_lane_portals];
   Mask acting_;

@@ -16,7 +16,7 @@ struct Space;
 struct LanePlan {
   LaneScene scene;
   Vec3d center;
-  std::vector<float> map_nodes;  ///< that `scene.maps` look up
+  std::vector<float> map_nodes, map_cells;  ///< that `scene.maps` look up
 
   LanePlan() = default;
   LanePlan(const LanePlan&) = delete;

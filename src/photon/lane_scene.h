@@ -77,11 +77,12 @@ struct LaneMap {
   float per_x, per_y;    ///< 1 / spacing
   float last_i, last_j;  ///< of the cells
   int row;               ///< nodes in one
-  /// Six for each node: the acceleration over c² there; for the cell to the upper right of it the
-  /// stiffness, the nearness, and how many cells further on steps must end (`to_sharp`).
+  /// Four for each node: the acceleration over c², and the stiffness over c².
   const float* nodes;
+  /// Two for the cell to the upper right of each node: the nearness, and how many cells further on
+  /// steps must end (`to_sharp`).
+  const float* cells;
 };
-inline constexpr int lane_map_stride = 6;
 
 /// A portal's front, for crossing it.
 struct LanePortal {
