@@ -79,7 +79,7 @@ double found_way(Vec3d x, Vec3d p, FaceRow faces) {
 TEST(ShortestWay, ThroughOneFaceIsTheMinimumOverTheFace) {
   Random random(11);
   int straight = 0;
-  for (int round = 0; round < scaled(20000); ++round) {
+  for (int round = 0; round < scaled(100000); ++round) {
     const Portal portal = portal_on(random_polygon(random, 1.0));
     const PortalFace face(portal);
     const PortalFace* row[] = {&face};
@@ -95,7 +95,7 @@ TEST(ShortestWay, ThroughOneFaceIsTheMinimumOverTheFace) {
     ASSERT_NEAR(found_way(x, p, row), expected, 1e-9 * expected) << round;
     straight += expected == length(p - x);
   }
-  EXPECT_GT(straight, scaled(20000) / 20);
+  EXPECT_GT(straight, scaled(100000) / 20);
 }
 
 /// The shortest way over sampled rims by dynamic programming, the samples drawn together around the
