@@ -235,6 +235,10 @@ std::optional<Contact> Accelerator::contact_near(std::uint32_t shape, std::uint3
                                                  const Ray& ray, double reach) const {
   const Implementation& all = *implementation_;
   if (!is_finite(ray.origin) || !is_finite(ray.direction)) return std::nullopt;
+  if (const auto* quad = std::get_if<Quad>(&all.shapes[shape])) {
+    const auto at = line_through_polygon(quad->vertices(), quad->normal(), ray);
+    return at && std::fabs(*at) <= reach ? std::optional(Contact{*at, 0}) : std::nullopt;
+  }
   const Ray back{ray.origin, -ray.direction};
   std::optional<Contact> ahead, behind;
   if (const auto* mesh = std::get_if<Mesh>(&all.shapes[shape])) {

@@ -45,6 +45,8 @@ class Tracer {
     restless_ = true;
   }
   [[nodiscard]] const Travel& way() const { return travel_; }
+  /// Nothing is met within this much path from where it is.
+  [[nodiscard]] double free_length() const { return free_length_; }
 
   /// One flight or step; whether the photon has arrived.
   bool one_step() {

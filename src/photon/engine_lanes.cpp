@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <utility>
 
 #include "photon/advance.h"
 #include "photon/nystrom.h"
@@ -25,58 +27,56 @@ class LaneDriver {
         arrivals_(arrivals) {}
 
   void run() {
-    for (int lane = 0; lane < lane_count; ++lane) {
-      rest(lane);
-      refill(lane);
-    }
+    for (int lane = 0; lane < lane_count; ++lane) refill(lane);
     while (travelling_ > 0) {
       step_(plan_.scene, lanes_);
+      // Only where the step was not taken can a lane still be as it was put there.
+      std::array<int, lane_count> ended;
+      int count = 0;
       for (int lane = 0; lane < lane_count; ++lane) {
+        ended[count] = lane;
+        count += lanes_.event[lane] != 0.0f ? 1 : 0;
+      }
+      const std::uint32_t was_fresh = std::exchange(fresh_, 0);
+      for (int i = 0; i < count; ++i) {
+        const int lane = ended[i];
         const auto event = static_cast<LaneEvent>(static_cast<int>(lanes_.event[lane]));
-        if (event != LaneEvent::fly && event != LaneEvent::consult) fresh_[lane] = false;
-        if (event != LaneEvent::none && lanes_.live[lane] > 0.0f) handle(lane, event);
+        const bool stayed = event == LaneEvent::escape || event == LaneEvent::consult;
+        handle(lane, event, way_of(lane, stayed && (was_fresh >> lane & 1) != 0));
       }
     }
   }
 
  private:
-  void handle(int lane, LaneEvent event) {
-    Travel way = way_of(lane);
-    bool arrived = true;
+  void handle(int lane, LaneEvent event, Travel way) {
     const auto object = static_cast<std::uint32_t>(lanes_.object[lane]);
-    switch (event) {
-      case LaneEvent::none:
-        return;
-      case LaneEvent::fly:
-      case LaneEvent::consult:
-      case LaneEvent::limit:
-        scalar_.resume(way);
-        arrived = scalar_.one_step();
-        break;
-      case LaneEvent::hit:
-        way.arrival.met = Met::surface;
-        way.arrival.object = object;
-        way.arrival.face = 0;
-        way.arrival.fate = Fate::hit;
-        settle_on_surface(way);
-        scalar_.resume(way);
-        break;
-      case LaneEvent::portal:
-        scalar_.resume(way);
-        arrived = meet_portal(way, object);
-        break;
-      case LaneEvent::horizon:
-        scalar_.resume(way);
-        arrived = scalar_.absorb(object);
-        break;
-    }
-    if (arrived) {
-      arrivals_[photon_[lane]] = scalar_.way().arrived();
-      rest(lane);
-      refill(lane);
+    if (event == LaneEvent::escape) {
+      way.arrival.fate = Fate::escaped;
+      arrive(lane, way);
+    } else if (event == LaneEvent::hit) {
+      way.arrival.met = Met::surface;
+      way.arrival.object = object;
+      way.arrival.face = 0;
+      way.arrival.fate = Fate::hit;
+      settle_on_surface(way);
+      arrive(lane, way);
     } else {
-      put(lane, scalar_.way());
+      scalar_.resume(way);
+      const bool arrived = event == LaneEvent::portal    ? meet_portal(way, object)
+                           : event == LaneEvent::horizon ? scalar_.absorb(object)
+                                                         : scalar_.one_step();
+      if (arrived) {
+        arrive(lane, scalar_.way());
+      } else {
+        put(lane, scalar_.way(), scalar_.free_length());
+      }
     }
+  }
+
+  void arrive(int lane, const Travel& way) {
+    arrivals_[photon_[lane]] = way.arrived();
+    --travelling_;
+    refill(lane);
   }
 
   /// Puts a hit that was found in float onto its surface in double.
@@ -104,9 +104,9 @@ class LaneDriver {
   }
 
   /// A lane's way in double. One that has just been put there is taken as it was.
-  [[nodiscard]] Travel way_of(int lane) const {
+  [[nodiscard]] Travel way_of(int lane, bool fresh) const {
     Travel way = travels_[lane];
-    if (!fresh_[lane]) {
+    if (!fresh) {
       way.state.position = plan_.center + Vec3d{lanes_.x[lane], lanes_.y[lane], lanes_.z[lane]};
       way.state.direction = normalize(Vec3d{lanes_.tx[lane], lanes_.ty[lane], lanes_.tz[lane]});
       way.start = way.start.after(lanes_.length[lane] - way.arrival.length);
@@ -117,9 +117,10 @@ class LaneDriver {
     return way;
   }
 
-  void put(int lane, const Travel& way) {
+  /// @param clear  nothing is met within that much path
+  void put(int lane, const Travel& way, double clear) {
     travels_[lane] = way;
-    fresh_[lane] = true;
+    fresh_ |= std::uint32_t{1} << lane;
     const Vec3d x = way.state.position - plan_.center;
     lanes_.x[lane] = static_cast<float>(x.x);
     lanes_.y[lane] = static_cast<float>(x.y);
@@ -134,7 +135,7 @@ class LaneDriver {
     lanes_.departed[lane] =
         departure.shape == no_object ? -1.0f : static_cast<float>(departure.shape);
     lanes_.departed_side[lane] = static_cast<float>(departure.side);
-    lanes_.clear[lane] = 0.0f;
+    lanes_.clear[lane] = static_cast<float>(clear);
     lanes_.live[lane] = 1.0f;
     lanes_.event[lane] = 0.0f;
   }
@@ -152,8 +153,6 @@ class LaneDriver {
   }
 
   void refill(int lane) {
-    if (travelling_ > 0 && was_live_[lane]) --travelling_;
-    was_live_[lane] = false;
     while (next_ < photons_.size()) {
       const std::size_t index = next_++;
       const Travel way = Travel::of(photons_[index]);
@@ -166,11 +165,11 @@ class LaneDriver {
         continue;
       }
       photon_[lane] = index;
-      put(lane, way);
-      was_live_[lane] = true;
+      put(lane, way, 0.0);
       ++travelling_;
       return;
     }
+    rest(lane);
   }
 
   const Space& space_;
@@ -183,7 +182,7 @@ class LaneDriver {
   Lanes lanes_;
   std::array<Travel, lane_count> travels_;
   std::array<std::size_t, lane_count> photon_{};
-  std::array<bool, lane_count> fresh_{}, was_live_{};
+  std::uint32_t fresh_ = 0;  ///< lanes that have not moved since they were filled, a bit each
   std::size_t next_ = 0;
   int travelling_ = 0;
 };

@@ -7,8 +7,8 @@
 namespace portalens {
 
 /// Masses directly, and `Through` through portals. `Through` has, as `LaneField` does, `decide`,
-/// `acting`, `acceleration`, `boundary`, and
-///   void add_to(LaneBending<R>& sum, Vec3<R> x) const;
+/// `acting`, `acceleration`, `boundary`, `sees_borders_far_off`, and
+///   void add_to(LaneBending<R>& sum, Vec3<R> x, Vec3<R> t) const;
 template <class R, class Through>
 struct LaneCoupled {
   LaneField<R> direct;
@@ -18,19 +18,22 @@ struct LaneCoupled {
   explicit LaneCoupled(const LaneScene& scene)
       : direct(scene), through(scene), acting(R(1) < R(0)) {}
 
-  void decide(Vec3<R> anchor) {
-    direct.decide(anchor);
-    through.decide(anchor);
+  void decide(Vec3<R> x, Vec3<R> t) {
+    direct.decide(x, t);
+    through.decide(x + t * R(direct.scene.ahead));
     acting = direct.acting | through.acting();
   }
   [[nodiscard]] LaneBending<R> bending(Vec3<R> x, Vec3<R> t) const {
     LaneBending<R> sum = direct.bending(x, t);
-    through.add_to(sum, x);
+    through.add_to(sum, x, t);
     return sum;
   }
   [[nodiscard]] Vec3<R> acceleration(Vec3<R> x) const {
     return direct.acceleration(x) + through.acceleration(x);
   }
+  [[nodiscard]] R distance2(int mass) const { return direct.distance2(mass); }
+  static constexpr bool sees_borders_far_off = Through::sees_borders_far_off;
+
   [[nodiscard]] R boundary(Vec3<R> x, Vec3<R> t, Vec3<R> bend, R limit) const {
     const R least = direct.boundary(x, t, bend, limit);
     return min(least, through.boundary(x, t, bend, min(least, limit)));

@@ -21,22 +21,88 @@ template <class R>
 struct LaneField {
   const LaneScene& scene;
   R inside[most_lane_masses];  ///< G M / c² where the influence holds, else 0
+  /// Of each mass, from the step's start: square of its distance, and how far ahead it is.
+  R squares[most_lane_masses], along[most_lane_masses];
   LaneFoot<R> feet[most_lane_gates];
   R seen[most_lane_gates][most_lane_masses];  ///< as `inside`, through the gate
   typename R::Mask acting;
 
   explicit LaneField(const LaneScene& the_scene) : scene(the_scene), acting(R(1) < R(0)) {}
 
-  /// Decides everything at `anchor`.
-  void decide(Vec3<R> anchor) {
+  /// Decides everything for a step from x in the direction t, slightly ahead.
+  void decide(Vec3<R> x, Vec3<R> t) {
     acting = R(1) < R(0);
+    const R ahead(scene.ahead);
     for (int i = 0; i < scene.mass_count; ++i) {
       const LaneMass& mass = scene.masses[i];
-      const Vec3<R> d = spread<R>(mass.center) - anchor;
-      const auto within = dot(d, d) < R(mass.influence2);
+      const Vec3<R> to_mass = spread<R>(mass.center) - x;
+      squares[i] = dot(to_mass, to_mass);
+      along[i] = dot(to_mass, t);
+      const auto within = squares[i] - R(2) * ahead * along[i] < R(mass.influence2);
       inside[i] = select(within, R(mass.gm), R(0));
       acting = acting | within;
     }
+    if (scene.gate_count > 0) decide_gates(x + t * ahead);
+  }
+
+  /// Square of the distance of a mass from the step's start.
+  [[nodiscard]] R distance2(int mass) const { return squares[mass]; }
+
+  /// What a step of the direction `t` is chosen from, and its first acceleration.
+  [[nodiscard]] LaneBending<R> bending(Vec3<R> x, Vec3<R> t) const {
+    LaneBending<R> sum{{R(0), R(0), R(0)}, R(0), R(0)};
+    for (int i = 0; i < scene.mass_count; ++i) {
+      const LaneMass& mass = scene.masses[i];
+      const R core2(mass.core2), m2(mass.gm * mass.gm);
+      const R b2 = squares[i] + core2 - along[i] * along[i];
+      const Source source = pull_of(squares[i] + core2, inside[i]);
+      sum.acceleration += (spread<R>(mass.center) - x) * source.pull;
+      add(sum, source, inside[i], path_weight(m2, max(b2, R(0))));
+    }
+    if (scene.gate_count > 0) sum.acceleration += bending_of_gates(x, t, sum);
+    return sum;
+  }
+
+  [[nodiscard]] Vec3<R> acceleration(Vec3<R> x) const {
+    Vec3<R> sum{R(0), R(0), R(0)};
+    for (int i = 0; i < scene.mass_count; ++i) {
+      const Vec3<R> to_mass = spread<R>(scene.masses[i].center) - x;
+      sum += to_mass * pull_of(dot(to_mass, to_mass) + R(scene.masses[i].core2), inside[i]).pull;
+    }
+    if (scene.gate_count > 0) sum += through_gates(x, [](int, const Source&, R) {});
+    return sum;
+  }
+
+  /// Arc length along the parabola x + t s + bend s²/2 to the next place where a decision changes,
+  /// or `never`; changes beyond a limit, the last argument, need not be found.
+  [[nodiscard]] R boundary(Vec3<R> x, Vec3<R> t, Vec3<R> bend, R) const {
+    R least(never);
+    const R bend2 = dot(bend, bend);
+    for (int i = 0; i < scene.mass_count; ++i) {
+      const LaneMass& mass = scene.masses[i];
+      const R inward = dot(spread<R>(mass.center) - x, bend);
+      least = min(least,
+                  until_sphere_on_curve(along[i], squares[i] - R(mass.influence2), inward, bend2));
+    }
+    for (int g = 0; g < scene.gate_count; ++g) {
+      const LaneGate& gate = scene.gates[g];
+      if (gate.parent >= 0) continue;
+      const Vec3<R> local = to_axes(x - spread<R>(gate.origin), gate.right, gate.up, gate.normal);
+      const Vec3<R> way = to_axes(t, gate.right, gate.up, gate.normal);
+      const Vec3<R> turn = to_axes(bend, gate.right, gate.up, gate.normal);
+      least = min(least, until_other_foot(gate, feet[g], local, way, turn));
+    }
+    return least;
+  }
+
+  /// Borders are found however far off they are: where nothing acts, straight flights end there.
+  static constexpr bool sees_borders_far_off = true;
+
+ private:
+  /// A bent way soon moves what a straight one would leave in its place.
+  static constexpr float least_speed2 = 0.01f;
+
+  void decide_gates(Vec3<R> anchor) {
     R qx[most_lane_gates], qy[most_lane_gates], reached[most_lane_gates];
     for (int g = 0; g < scene.gate_count; ++g) {
       const LaneGate& gate = scene.gates[g];
@@ -57,62 +123,36 @@ struct LaneField {
     }
   }
 
-  /// What a step of the direction `t` is chosen from, and its first acceleration.
-  [[nodiscard]] LaneBending<R> bending(Vec3<R> x, Vec3<R> t) const {
-    LaneBending<R> sum{{R(0), R(0), R(0)}, R(0), R(0)};
-    for (int i = 0; i < scene.mass_count; ++i) {
-      const Vec3<R> to_mass = spread<R>(scene.masses[i].center) - x;
-      const R along = dot(to_mass, t);
-      const R b2 = dot(to_mass, to_mass) + R(scene.masses[i].core2) - along * along;
-      const R m2 = R(scene.masses[i].gm * scene.masses[i].gm);
-      const Source source = pull_of(to_mass, inside[i], R(scene.masses[i].core2));
-      sum.acceleration += to_mass * source.pull;
-      add(sum, source, inside[i], path_weight(m2, max(b2, R(0))));
-    }
-    if (scene.gate_count > 0)
-      sum.acceleration += through_gates(
-          x, [&](const Source& source, R gm) { add(sum, source, gm, R(distant_weight)); });
-    return sum;
-  }
-
-  [[nodiscard]] Vec3<R> acceleration(Vec3<R> x) const {
-    Vec3<R> sum{R(0), R(0), R(0)};
-    for (int i = 0; i < scene.mass_count; ++i) {
-      const Vec3<R> to_mass = spread<R>(scene.masses[i].center) - x;
-      sum += to_mass * pull_of(to_mass, inside[i], R(scene.masses[i].core2)).pull;
-    }
-    if (scene.gate_count > 0) sum += through_gates(x, [](const Source&, R) {});
-    return sum;
-  }
-
-  /// Arc length along the parabola x + t s + bend s²/2 to the next place where a decision changes;
-  /// changes beyond a limit, the last argument, need not be found.
-  [[nodiscard]] R boundary(Vec3<R> x, Vec3<R> t, Vec3<R> bend, R) const {
-    const R never(scene.farthest);
-    R least = never;
-    for (int i = 0; i < scene.mass_count; ++i) {
-      const LaneMass& mass = scene.masses[i];
-      least =
-          min(least, until_shell(x - spread<R>(mass.center), t, bend, R(mass.influence2), never));
-    }
-    for (int g = 0; g < scene.gate_count; ++g) {
-      const LaneGate& gate = scene.gates[g];
-      if (gate.parent >= 0) continue;
-      const Vec3<R> local = to_axes(x - spread<R>(gate.origin), gate.right, gate.up, gate.normal);
-      const Vec3<R> way = to_axes(t, gate.right, gate.up, gate.normal);
-      least = min(least, until_other_foot(gate, feet[g], local, way, never));
-    }
-    return least;
-  }
-
- private:
   struct Source {
     R inverse2, pull;  ///< 1/d² and m/d³
   };
 
-  [[nodiscard]] static Source pull_of(Vec3<R> to_mass, R gm, R core2) {
-    const R inverse2 = R(1) / (dot(to_mass, to_mass) + core2);
-    return {inverse2, gm * inverse2 * sqrt(inverse2)};
+  [[nodiscard]] static Source pull_of(R d2, R gm) {
+    const R inverse = inverse_sqrt(d2);
+    const R inverse2 = inverse * inverse;
+    return {inverse2, gm * inverse2 * inverse};
+  }
+
+  /// What comes through the gates depends on where the points of their rectangles are, not on where
+  /// the photon is: steps are the longer the slower those move.
+  [[nodiscard]] Vec3<R> bending_of_gates(Vec3<R> x, Vec3<R> t, LaneBending<R>& sum) const {
+    R speed_x[most_lane_gates], speed_y[most_lane_gates], slowness[most_lane_gates];
+    for (int g = 0; g < scene.gate_count; ++g) {
+      const LaneGate& gate = scene.gates[g];
+      const Vec3<R> way = gate.parent < 0 ? to_axes(t, gate.right, gate.up, gate.normal)
+                                          : spread<R>(gate.by_x) * speed_x[gate.parent] +
+                                                spread<R>(gate.by_y) * speed_y[gate.parent];
+      speed_x[g] = feet[g].keep_x * way.x;
+      speed_y[g] = feet[g].keep_y * way.y;
+      const R speed2 = speed_x[g] * speed_x[g] + speed_y[g] * speed_y[g] + R(least_speed2);
+      slowness[g] = speed2 * speed2;
+    }
+    return through_gates(x, [&](int g, const Source& source, R gm) {
+      const R inverse4 = source.inverse2 * source.inverse2;
+      sum.stiffness =
+          sum.stiffness + source.pull * source.inverse2 * (R(distant_weight) * slowness[g]);
+      sum.nearness = sum.nearness + select(gm > R(0), inverse4 * slowness[g], R(0));
+    });
   }
 
   static void add(LaneBending<R>& sum, const Source& source, R gm, R weight) {
@@ -132,11 +172,11 @@ struct LaneField {
       ax[g] = ay[g] = az[g] = R(0);
       for (int i = 0; i < scene.mass_count; ++i) {
         const Vec3<R> to_mass = spread<R>(scene.gates[g].images[i]) - Vec3<R>{qx[g], qy[g], R(0)};
-        const Source source = pull_of(to_mass, seen[g][i], R(scene.masses[i].core2));
+        const Source source = pull_of(dot(to_mass, to_mass) + R(scene.masses[i].core2), seen[g][i]);
         ax[g] = ax[g] + to_mass.x * source.pull;
         ay[g] = ay[g] + to_mass.y * source.pull;
         az[g] = az[g] + to_mass.z * source.pull;
-        tell(source, seen[g][i]);
+        tell(g, source, seen[g][i]);
       }
     }
     // Children stand behind their parents.

@@ -38,7 +38,7 @@ class LaneGravitonMap {
   }
   [[nodiscard]] Mask acting() const { return acting_; }
 
-  void add_to(LaneBending<R>& sum, Vec3<R> x) const {
+  void add_to(LaneBending<R>& sum, Vec3<R> x, Vec3<R>) const {
     const Found found = look_up(x);
     sum.acceleration += found.acceleration;
     sum.stiffness = sum.stiffness + found.stiffness;
@@ -47,23 +47,25 @@ class LaneGravitonMap {
 
   [[nodiscard]] Vec3<R> acceleration(Vec3<R> x) const { return look_up(x).acceleration; }
 
-  [[nodiscard]] R boundary(Vec3<R> x, Vec3<R> t, Vec3<R>, R) const {
-    const R never(scene_.farthest);
-    R least = never;
+  [[nodiscard]] R boundary(Vec3<R> x, Vec3<R> t, Vec3<R> bend, R) const {
+    R least(never);
     for (int k = 0; k < scene_.map_count; ++k) {
       const LaneMap& map = scene_.maps[k];
       const Vec3<R> local = local_in(map.face, x);
       const Vec3<R> way = to_axes(t, map.face.right, map.face.up, map.face.normal);
-      least = min(least, until_other_foot(map.face, feet_[k], local, way, never));
+      const Vec3<R> turn = to_axes(bend, map.face.right, map.face.up, map.face.normal);
+      least = min(least, until_other_foot(map.face, feet_[k], local, way, turn));
       const R qx = feet_[k].x(local), qy = feet_[k].y(local);
       const R vx = feet_[k].keep_x * way.x, vy = feet_[k].keep_y * way.y;
-      least = min(least, until_zero(qx - low_x_[k], vx, never));
-      least = min(least, until_zero(qx - high_x_[k], vx, never));
-      least = min(least, until_zero(qy - low_y_[k], vy, never));
-      least = min(least, until_zero(qy - high_y_[k], vy, never));
+      least = min(least, until_zero(qx - low_x_[k], vx));
+      least = min(least, until_zero(qx - high_x_[k], vx));
+      least = min(least, until_zero(qy - low_y_[k], vy));
+      least = min(least, until_zero(qy - high_y_[k], vy));
     }
     return least;
   }
+
+  static constexpr bool sees_borders_far_off = true;
 
  private:
   /// What a node holds.

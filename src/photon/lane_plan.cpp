@@ -114,6 +114,18 @@ Vec3d center_of(const Space& space) {
   return box.empty() ? Vec3d{} : box.middle();
 }
 
+/// How far from `center` anything lies that a photon can meet or feel.
+double radius_about(const Space& space, Vec3d center) {
+  double radius = 0.0;
+  if (const Box box = space.surfaces.bounds(); !box.empty())
+    radius = 0.5 * box.diagonal() + length(box.middle() - center);
+  for (const Portal& portal : space.portals.portals())
+    for (const Vec3d& vertex : portal.vertices) radius = std::max(radius, length(vertex - center));
+  for (const Mass& mass : space.masses)
+    radius = std::max(radius, length(mass.center - center) + mass.influence + mass.schwarzschild);
+  return radius;
+}
+
 }  // namespace
 
 std::unique_ptr<const LanePlan> plan_lanes(const Space& space) {
@@ -136,6 +148,9 @@ std::unique_ptr<const LanePlan> plan_lanes(const Space& space) {
   scene.overshoot = static_cast<float>(1e-6 * space.extent);
   scene.ahead = scene.overshoot;
   scene.farthest = static_cast<float>(2.0 * space.extent);
+  const double radius = radius_about(space, plan->center);
+  scene.radius = static_cast<float>(1.001 * radius);
+  scene.flight_limit = static_cast<float>(8.0 * radius);
   scene.max_length = static_cast<float>(std::min(physics.max_length, 1e30));
   scene.max_turning = static_cast<float>(std::min(physics.max_turning, 1e30));
   scene.max_steps = static_cast<float>(physics.max_steps);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "math/vec3.h"
+#include "photon/lane_border.h"
 #include "photon/lane_scene.h"
 
 namespace portalens {
@@ -53,54 +54,40 @@ template <class R, class Rectangle>
   return foot;
 }
 
-/// When height `a` that changes at rate `v` reaches 0, or `never`.
-template <class R>
-[[nodiscard]] R until_zero(R a, R v, R never) {
-  const R s = -a / v;
-  return select((s > R(0)) & (abs(v) > R(1e-12)), s, never);
-}
-
-/// Where |from + t s + bend s²/2|² = radius2 for the next time, s > 0, or `never`.
-template <class R>
-[[nodiscard]] R until_shell(Vec3<R> from, Vec3<R> t, Vec3<R> bend, R radius2, R never) {
-  const R speed2 = dot(t, t), along = dot(from, t), outside = dot(from, from) - radius2;
-  const R square = along * along - outside * speed2;
-  const R root = sqrt(max(square, R(0)));
-  // The stable one of the two forms of each solution.
-  const R inward = select(along > R(0), -outside / (along + root), (root - along) / speed2);
-  R s = select(outside < R(0), inward, (-along - root) / speed2);
-  const Vec3<R> at = from + t * s + bend * (s * s * R(0.5));
-  const R slope = R(2) * dot(at, t + bend * s);
-  const R better = s - (dot(at, at) - radius2) / slope;
-  s = select((abs(better - s) < abs(s) * R(0.5)) & (better > R(0)), better, s);
-  return select((square > R(0)) & (s > R(0)) & (speed2 > R(0)), s, never);
-}
-
-/// Where, straight on, the nearest feature changes or the distance to it passes the reach.
+/// Where, straight on but for how the way turns at first, the nearest feature changes or the
+/// distance to it passes the reach.
 /// @param rectangle  has besides `reach2`
 /// @param way        direction, in local coordinates like `local`
+/// @param turn       its rate of change, in the same
 template <class R, class Rectangle>
 [[nodiscard]] R until_other_foot(const Rectangle& rectangle, const LaneFoot<R>& foot, Vec3<R> local,
-                                 Vec3<R> way, R never) {
+                                 Vec3<R> way, Vec3<R> turn) {
   const R w(rectangle.half_width), h(rectangle.half_height);
-  const auto until = [&](R a, R v) { return until_zero(a, v, never); };
-  R least = until(local.z, way.z);
-  least = min(least, until(local.x - w, way.x));
-  least = min(least, until(local.x + w, way.x));
-  least = min(least, until(local.y - h, way.y));
-  least = min(least, until(local.y + h, way.y));
+  FirstPlane<R> first;
+  // Beside the rectangle its own plane divides nothing.
+  const auto column = (abs(local.x) <= w) & (abs(local.y) <= h);
+  first.offer(select(column, local.z, R(0)), way.z, turn.z);
+  first.offer(local.x - w, way.x, turn.x);
+  first.offer(local.x + w, way.x, turn.x);
+  first.offer(local.y - h, way.y, turn.y);
+  first.offer(local.y + h, way.y, turn.y);
   // Behind the rectangle, the nearest edge changes: at the middle planes and the bisectors.
-  const R gap = h - w;
-  R medial = min(until(local.x, way.x), until(local.y, way.y));
-  medial = min(medial, until(local.x - local.y + gap, way.x - way.y));
-  medial = min(medial, until(local.x - local.y - gap, way.x - way.y));
-  medial = min(medial, until(local.x + local.y + gap, way.x + way.y));
-  medial = min(medial, until(local.x + local.y - gap, way.x + way.y));
-  const auto behind = (local.z < R(0)) & (abs(local.x) < w) & (abs(local.y) < h);
-  least = select(behind, min(least, medial), least);
+  const auto behind = column & (local.z < R(0));
+  if (any(behind)) {
+    const R gap = h - w;
+    FirstPlane<R> medial = first;
+    medial.offer(local.x, way.x, turn.x);
+    medial.offer(local.y, way.y, turn.y);
+    medial.offer(local.x - local.y + gap, way.x - way.y, turn.x - turn.y);
+    medial.offer(local.x - local.y - gap, way.x - way.y, turn.x - turn.y);
+    medial.offer(local.x + local.y + gap, way.x + way.y, turn.x + turn.y);
+    medial.offer(local.x + local.y - gap, way.x + way.y, turn.x + turn.y);
+    first.take(behind, medial);
+  }
   const Vec3<R> from{local.x - foot.x(local), local.y - foot.y(local), local.z};
   const Vec3<R> rate{way.x * (R(1) - foot.keep_x), way.y * (R(1) - foot.keep_y), way.z};
-  return min(least, until_shell(from, rate, {R(0), R(0), R(0)}, R(rectangle.reach2), never));
+  const R outside = dot(from, from) - R(rectangle.reach2);
+  return min(first.along_the_curve(), until_sphere(-dot(from, rate), outside, dot(rate, rate)));
 }
 
 }  // namespace portalens

@@ -118,9 +118,11 @@ struct LaneScene {
   int mass_count, gate_count, map_count, entrance_count, way_count, portal_count, polygon_count,
       sphere_count, box_count;
   float stiffness_weight, nearness_weight;  ///< of the step, see Nystrom
-  float ahead;      ///< the place that decides what acts lies this far ahead
-  float overshoot;  ///< a step ends this far past a boundary
-  float farthest;   ///< no step is longer
+  float ahead;         ///< the place that decides what acts lies this far ahead
+  float overshoot;     ///< a step ends this far past a boundary
+  float farthest;      ///< no step in the field is longer
+  float radius;        ///< all there is lies in a ball of that about the centre
+  float flight_limit;  ///< floats are too coarse for a flight that begins further out
   float max_length, max_turning, max_steps;
   LaneMass masses[most_lane_masses];
   LaneGate gates[most_lane_gates];
@@ -138,7 +140,7 @@ inline constexpr int lane_count = 32;
 /// What a lane's step ended in.
 enum class LaneEvent : std::int32_t {
   none,     ///< goes on
-  fly,      ///< nothing acts here: a straight flight begins (the step was not taken)
+  escape,   ///< nothing acts here and nothing lies ahead (the step was not taken)
   hit,      ///< a surface: `object` is the polygon's or sphere's shape
   portal,   ///< a portal's front or back: `object` is the portal
   horizon,  ///< `object` is the mass
@@ -154,7 +156,7 @@ struct alignas(64) Lanes {
   float live[lane_count];           ///< 1 or 0
   float departed[lane_count];       ///< shape that the photon leaves, or -1
   float departed_side[lane_count];  ///< on which side it leaves it: 1 or -1
-  float clear[lane_count];          ///< no box comes nearer than this within that much path
+  float clear[lane_count];          ///< nothing that boxes hold is met within that much path
   float event[lane_count];          ///< a LaneEvent
   float object[lane_count];
 };

@@ -30,7 +30,7 @@ class LaneShortestPath {
   }
   [[nodiscard]] Mask acting() const { return acting_; }
 
-  void add_to(LaneBending<R>& sum, Vec3<R> x) const {
+  void add_to(LaneBending<R>& sum, Vec3<R> x, Vec3<R>) const {
     sum.acceleration += pull(x, [&](const Held& held, R square, R near2) {
       const R scale2 = way_scale2(held.straight > R(0), square, near2);
       const R inverse2 = R(1) / scale2, inverse_square = R(1) / square;
@@ -58,15 +58,17 @@ class LaneShortestPath {
       changed = changed | now;
       good = select(changed, good, s);
     }
-    if (!any(changed)) return R(scene_.farthest);
+    if (!any(changed)) return R(never);
     for (int k = 0; k < halvings; ++k) {
       const R middle = (good + bad) * R(0.5);
       const Mask now = differs(at(middle));
       bad = select(now, middle, bad);
       good = select(now, good, middle);
     }
-    return select(changed, bad, R(scene_.farthest));
+    return select(changed, bad, R(never));
   }
+
+  static constexpr bool sees_borders_far_off = false;
 
  private:
   static constexpr int halvings = 10;

@@ -11,6 +11,12 @@
 
 namespace portalens {
 
+/// Bounds the length of a vector from above, to within a factor of √3.
+template <class R>
+R span(Vec3<R> v) {
+  return abs(v.x) + abs(v.y) + abs(v.z);
+}
+
 /// The step's path as a cubic in the share u of it, 0 to 1.
 template <class R>
 struct LaneCubic {
@@ -23,7 +29,7 @@ struct LaneCubic {
     const Vec3<R> d = x1 - x0 - c1, e = (t1 - t0) * length;
     c2 = d * R(3) - e;
     c3 = e - d * R(2);
-    stray = sqrt(dot(c2, c2)) + sqrt(dot(c3, c3));
+    stray = span(c2) + span(c3);
   }
   [[nodiscard]] Vec3<R> position(R u) const { return c0 + (c1 + (c2 + c3 * u) * u) * u; }
   [[nodiscard]] Vec3<R> velocity(R u) const { return c1 + (c2 * R(2) + c3 * (R(3) * u)) * u; }
@@ -53,63 +59,68 @@ class LaneStepper {
   LaneStepper(const LaneScene& scene, Lanes& lanes, int first)
       : scene_(scene), lanes_(lanes), first_(first) {}
 
-  void step() {
+  /// Calls cost more here than what they would do.
+  [[gnu::flatten]] void step() {
     const Mask live = read(lanes_.live) > R(0);
     if (!any(live)) return;
     const V x{read(lanes_.x), read(lanes_.y), read(lanes_.z)};
     const V t{read(lanes_.tx), read(lanes_.ty), read(lanes_.tz)};
     F field(scene_);
-    field.decide(x + t * R(scene_.ahead));
+    field.decide(x, t);
 
     const LaneBending<R> start = field.bending(x, t);
-    R h = Nystrom::propose(start.stiffness, start.nearness, R(scene_.stiffness_weight),
-                           R(scene_.nearness_weight));
     const V bend = turning_part(start.acceleration, t);
-    h = min(h, field.boundary(x, t, bend, h) + R(scene_.overshoot));
-    h = select(field.acting & live, h, R(1));
+    const Mask flies = !field.acting;
+    const R most = longest(x, start, flies);
+    const R border = field.boundary(x, t, bend, most);
+    const R h = min(most, border + R(scene_.overshoot));
     const auto acceleration = [&](V place) { return field.acceleration(place); };
     const StateOf<R> end = Nystrom::step(acceleration, StateOf<R>{x, t}, start.acceleration, h).end;
 
     const LaneCubic<R> cubic(x, t, end.position, end.direction, h);
     LaneFinding<R> found;
-    find_horizons(cubic, found);
+    R doubtful = select(
+        flies & (span(x) > R(F::sees_borders_far_off ? scene_.flight_limit : -1.0f)), R(1), R(0));
+    find_horizons(cubic, field, found);
     find_portals(cubic, found);
-    R doubtful(0);
     find_polygons(cubic, end, found, doubtful);
     find_spheres(cubic, found);
-    R clear = read(lanes_.clear) - h;
+    const R clear = read(lanes_.clear) - h;
     find_boxes(cubic, clear, doubtful);
 
-    const Mask flies = live & !field.acting;
-    const Mask consults = live & field.acting & (doubtful > R(0));
-    const Mask stays = flies | consults | !live;
-    const Mask ends = (found.share <= R(1)) & !stays;
+    const Mask consults = live & (doubtful > R(0));
+    const Mask ends = (found.share <= R(1)) & live & !consults;
+    const Mask escapes = live & flies & (border >= R(never)) & !(found.share <= R(1)) & !consults;
+    const Mask stays = consults | escapes | !live;
 
-    const R u = select(ends, found.share, R(1));
-    const V x1 = cubic.position(u);
-    const V t1 = normalize(cubic.velocity(u));
+    V x1 = end.position, t1 = end.direction;
     const V turned = end.direction - t;
     const R chord2 = dot(turned, turned);
-    const R angle = sqrt(chord2) * (R(1) + chord2 * R(1.0 / 24.0)) * u;
-
-    write(lanes_.x, stays, x.x, select(ends, x1.x, end.position.x));
-    write(lanes_.y, stays, x.y, select(ends, x1.y, end.position.y));
-    write(lanes_.z, stays, x.z, select(ends, x1.z, end.position.z));
-    write(lanes_.tx, stays, t.x, select(ends, t1.x, end.direction.x));
-    write(lanes_.ty, stays, t.y, select(ends, t1.y, end.direction.y));
-    write(lanes_.tz, stays, t.z, select(ends, t1.z, end.direction.z));
-    add(lanes_.length, stays, h * u);
-    add(lanes_.turning, stays, angle);
+    R length = h, angle = sqrt(chord2) * (R(1) + chord2 * R(1.0 / 24.0));
+    if (any(ends)) {
+      const R u = select(ends, found.share, R(1));
+      length = length * u;
+      angle = angle * u;
+      x1 = choose(ends, cubic.position(u), x1);
+      t1 = choose(ends, normalize(cubic.velocity(u)), t1);
+    }
+    write(lanes_.x, stays, x.x, x1.x);
+    write(lanes_.y, stays, x.y, x1.y);
+    write(lanes_.z, stays, x.z, x1.z);
+    write(lanes_.tx, stays, t.x, t1.x);
+    write(lanes_.ty, stays, t.y, t1.y);
+    write(lanes_.tz, stays, t.z, t1.z);
+    const R path = add(lanes_.length, stays, length);
+    const R turning = add(lanes_.turning, stays, angle);
+    const R steps = add(lanes_.steps, stays, R(1));
     write(lanes_.clear, stays, read(lanes_.clear), clear);
     write(lanes_.departed, stays, read(lanes_.departed), R(-1));
-    add(lanes_.steps, stays, R(1));
-    const Mask within = (read(lanes_.length) <= R(scene_.max_length)) &
-                        (read(lanes_.turning) <= R(scene_.max_turning)) &
-                        (read(lanes_.steps) <= R(scene_.max_steps));
-    R event = select(ends, found.event, R(0));
-    event = select(live & !within & !ends, R(static_cast<int>(LaneEvent::limit)), event);
-    event = select(flies, R(static_cast<int>(LaneEvent::fly)), event);
-    event = select(consults, R(static_cast<int>(LaneEvent::consult)), event);
+    const Mask within = (path <= R(scene_.max_length)) & (turning <= R(scene_.max_turning)) &
+                        (steps <= R(scene_.max_steps));
+    R event = select(live & !within, code(LaneEvent::limit), R(0));
+    event = select(ends, found.event, event);
+    event = select(escapes, code(LaneEvent::escape), event);
+    event = select(consults, code(LaneEvent::consult), event);
     event.store(lanes_.event + first_);
     found.object.store(lanes_.object + first_);
   }
@@ -119,9 +130,23 @@ class LaneStepper {
   void write(float* values, Mask stays, R old, R fresh) const {
     select(stays, old, fresh).store(values + first_);
   }
-  void add(float* values, Mask stays, R more) const {
+  [[nodiscard]] R add(float* values, Mask stays, R more) const {
     const R old = read(values);
-    select(stays, old, old + more).store(values + first_);
+    const R sum = select(stays, old, old + more);
+    sum.store(values + first_);
+    return sum;
+  }
+  [[nodiscard]] static R code(LaneEvent event) { return R(static_cast<int>(event)); }
+  [[nodiscard]] static V choose(Mask which, V a, V b) {
+    return {select(which, a.x, b.x), select(which, a.y, b.y), select(which, a.z, b.z)};
+  }
+
+  /// How long a step may be before borders cut it: what the field allows, or, where nothing acts,
+  /// out of the scene.
+  [[nodiscard]] R longest(V x, const LaneBending<R>& start, Mask flies) const {
+    const R proposed = Nystrom::propose(start.stiffness, start.nearness, R(scene_.stiffness_weight),
+                                        R(scene_.nearness_weight));
+    return select(flies, span(x) + R(scene_.radius), min(proposed, R(scene_.farthest)));
   }
 
   /// The share of the step at which `height(u)` vanishes, by two steps of Newton's method.
@@ -145,10 +170,12 @@ class LaneStepper {
     return dot(nearest, nearest) <= within * within;
   }
 
-  void find_horizons(const LaneCubic<R>& cubic, LaneFinding<R>& found) const {
+  void find_horizons(const LaneCubic<R>& cubic, const F& field, LaneFinding<R>& found) const {
     for (int i = 0; i < scene_.mass_count; ++i) {
       const LaneMass& mass = scene_.masses[i];
       if (mass.horizon < 0.0f) continue;
+      const R reach = cubic.h + R(mass.horizon);
+      if (!any(field.distance2(i) < reach * reach)) continue;
       const V center = spread<R>(mass.center);
       const auto outside = [&](R u) {
         const V d = cubic.position(u) - center;
@@ -196,20 +223,20 @@ class LaneStepper {
   void find_polygons(const LaneCubic<R>& cubic, const StateOf<R>& end, LaneFinding<R>& found,
                      R& doubtful) const {
     const R departed = read(lanes_.departed), side = read(lanes_.departed_side);
-    const V turned = end.direction * cubic.h - cubic.c1;
-    const R sagitta = sqrt(dot(turned, turned)) * R(0.25);
+    const bool leaves = any(departed >= R(0));
+    const R sagitta = span(end.direction * cubic.h - cubic.c1) * R(0.25);
     for (int p = 0; p < scene_.polygon_count; ++p) {
       const LanePolygon& polygon = scene_.polygons[p];
       const V normal = spread<R>(polygon.normal);
-      const R leaving = select(departed == R(polygon.shape), R(1), R(0));
       R z0 = dot(cubic.c0, normal) - R(polygon.distance);
-      z0 = select(leaving > R(0), side * R(1e-20), z0);
       const R z1 = dot(end.position, normal) - R(polygon.distance);
+      if (leaves) z0 = select(departed == R(polygon.shape), side * R(1e-20), z0);
       const Mask crosses = ((z0 > R(0)) & (z1 <= R(0))) | ((z0 <= R(0)) & (z1 > R(0)));
-      const R s0 = dot(cubic.c1, normal), s1 = dot(end.direction, normal);
+      const Mask near = min(abs(z0), abs(z1)) < sagitta;
+      if (!any(crosses | near)) continue;
       // Both ends on one side, first towards the plane, then away: it may dip through between.
-      const Mask dips =
-          (!crosses) & (z0 * s0 < R(0)) & (z1 * s1 > R(0)) & (min(abs(z0), abs(z1)) < sagitta);
+      const R s0 = dot(cubic.c1, normal), s1 = dot(end.direction, normal);
+      const Mask dips = near & !crosses & (z0 * s0 < R(0)) & (z1 * s1 > R(0));
       if (!any((crosses | dips) &
                may_touch(cubic, cubic.c0 - spread<R>(polygon.middle), R(polygon.radius))))
         continue;
@@ -275,19 +302,30 @@ class LaneStepper {
     if (scene_.box_count == 0) return;
     const Mask needed = clear < R(0);
     if (!any(needed)) return;
-    const V end = cubic.position(R(1));
-    const V turned = cubic.velocity(R(1)) - cubic.c1;
-    const R slack = sqrt(dot(turned, turned)) * R(0.25);
+    // The share of the chord that lies between the planes of each pair; the curve strays from it.
+    const V chord = cubic.c1 + cubic.c2 + cubic.c3;
+    const R slack = cubic.stray;
+    const V inverse{inverse_of(chord.x), inverse_of(chord.y), inverse_of(chord.z)};
     for (int i = 0; i < scene_.box_count; ++i) {
       const LaneBox& box = scene_.boxes[i];
-      const Mask overlaps = (max(cubic.c0.x, end.x) + slack >= R(box.low.x)) &
-                            (min(cubic.c0.x, end.x) - slack <= R(box.high.x)) &
-                            (max(cubic.c0.y, end.y) + slack >= R(box.low.y)) &
-                            (min(cubic.c0.y, end.y) - slack <= R(box.high.y)) &
-                            (max(cubic.c0.z, end.z) + slack >= R(box.low.z)) &
-                            (min(cubic.c0.z, end.z) - slack <= R(box.high.z));
-      doubtful = select(needed & overlaps, R(1), doubtful);
+      R low(0), high(1);
+      cut(R(box.low.x) - slack - cubic.c0.x, R(box.high.x) + slack - cubic.c0.x, inverse.x, low,
+          high);
+      cut(R(box.low.y) - slack - cubic.c0.y, R(box.high.y) + slack - cubic.c0.y, inverse.y, low,
+          high);
+      cut(R(box.low.z) - slack - cubic.c0.z, R(box.high.z) + slack - cubic.c0.z, inverse.z, low,
+          high);
+      doubtful = select(needed & (low <= high), R(1), doubtful);
     }
+  }
+
+  /// Finite even where v is 0: what lies between two planes there is all or nothing.
+  [[nodiscard]] static R inverse_of(R v) { return R(1) / select(abs(v) > R(1e-20), v, R(1e-20)); }
+
+  static void cut(R from, R to, R inverse, R& low, R& high) {
+    const R a = from * inverse, b = to * inverse;
+    low = max(low, min(a, b));
+    high = min(high, max(a, b));
   }
 
   const LaneScene& scene_;

@@ -31,8 +31,7 @@ struct Nystrom {
   template <class Real>
   [[nodiscard]] static Real propose(Real stiffness, Real nearness, Real stiffness_weight,
                                     Real nearness_weight) {
-    using std::sqrt;
-    return Real(1.0) / sqrt(sqrt(stiffness * stiffness_weight + nearness * nearness_weight));
+    return inverse_fourth_root(stiffness * stiffness_weight + nearness * nearness_weight);
   }
   [[nodiscard]] double propose(double stiffness, double nearness) const {
     return propose(stiffness, nearness, stiffness_weight, nearness_weight);

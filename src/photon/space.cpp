@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "photon/lane_plan.h"
+
 namespace portalens {
 
 Space::Space(Physics the_physics, std::uint32_t crossings, std::vector<Shape> shapes,
@@ -30,5 +32,8 @@ Space::Space(Physics the_physics, std::uint32_t crossings, std::vector<Shape> sh
   if (box.diagonal() > 0.0) extent = box.diagonal();
   lanes = plan_lanes(*this);
 }
+
+Space::Space(Space&&) noexcept = default;
+Space::~Space() = default;
 
 }  // namespace portalens

@@ -9,16 +9,19 @@
 #include "geometry/accelerator.h"
 #include "gravity/coupling.h"
 #include "gravity/mass.h"
-#include "photon/lane_plan.h"
 #include "photon/physics.h"
 #include "portal/portal_set.h"
 
 namespace portalens {
 
+struct LanePlan;
+
 /// Immutable once made; safe from any thread.
 struct Space {
   Space(Physics physics, std::uint32_t max_crossings, std::vector<Shape> shapes,
         std::vector<Portal> portals, std::vector<Mass> masses);
+  Space(Space&&) noexcept;
+  ~Space();
 
   Physics physics;
   std::uint32_t max_crossings;
