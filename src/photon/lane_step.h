@@ -160,6 +160,22 @@ class LaneStepper {
     return u;
   }
 
+  /// The same where `height(u) * before` is positive at first and negative at last, however flat it
+  /// is between: Newton's method, kept within what is left of the step.
+  template <class Height, class Slope>
+  [[nodiscard]] static R crossing(R guess, R before, Height height, Slope slope) {
+    R u = guess, low(0), high(1);
+    for (int i = 0; i < 5; ++i) {
+      const R at = height(u);
+      const Mask early = at * before > R(0);
+      low = select(early, u, low);
+      high = select(early, high, u);
+      const R better = u - at / slope(u);
+      u = select((better >= low) & (better <= high), better, (low + high) * R(0.5));
+    }
+    return u;
+  }
+
   /// False only where the curve stays out of a ball about `-from`, as seen from its start.
   [[nodiscard]] static Mask may_touch(const LaneCubic<R>& cubic, V from, R radius) {
     const R along = -dot(from, cubic.c1);
@@ -209,8 +225,8 @@ class LaneStepper {
       Mask crosses = (z0 >= R(-portal.tolerance)) & (z1 < R(0)) & (z1 < z0);
       if (portal.back > 0.0f) crosses = crosses | ((z0 < R(0)) & (z1 >= R(0)));
       if (!any(crosses)) continue;
-      const R u = root(
-          max(z0, R(0)) / select(crosses, z0 - z1, R(1)),
+      const R u = crossing(
+          max(z0, R(0)) / select(crosses, z0 - z1, R(1)), select(z1 < R(0), R(1), R(-1)),
           [&](R at) { return dot(cubic.position(at) - origin, normal); },
           [&](R at) { return dot(cubic.velocity(at), normal); });
       const V d = cubic.position(u) - origin;
@@ -240,8 +256,8 @@ class LaneStepper {
       if (!any((crosses | dips) &
                may_touch(cubic, cubic.c0 - spread<R>(polygon.middle), R(polygon.radius))))
         continue;
-      const R u = root(
-          z0 / select(crosses, z0 - z1, R(1)),
+      const R u = crossing(
+          z0 / select(crosses, z0 - z1, R(1)), z0,
           [&](R at) { return dot(cubic.position(at), normal) - R(polygon.distance); },
           [&](R at) { return dot(cubic.velocity(at), normal); });
       const V at = cubic.position(select(crosses, u, R(0.5)));
