@@ -99,9 +99,6 @@ struct LaneField {
   static constexpr bool sees_borders_far_off = true;
 
  private:
-  /// A bent way soon moves what a straight one would leave in its place.
-  static constexpr float least_speed2 = 0.01f;
-
   void decide_gates(Vec3<R> anchor) {
     R qx[most_lane_gates], qy[most_lane_gates], reached[most_lane_gates];
     for (int g = 0; g < scene.gate_count; ++g) {
@@ -144,8 +141,7 @@ struct LaneField {
                                                 spread<R>(gate.by_y) * speed_y[gate.parent];
       speed_x[g] = feet[g].keep_x * way.x;
       speed_y[g] = feet[g].keep_y * way.y;
-      const R speed2 = speed_x[g] * speed_x[g] + speed_y[g] * speed_y[g] + R(least_speed2);
-      slowness[g] = speed2 * speed2;
+      slowness[g] = slowness_of(speed_x[g], speed_y[g]);
     }
     return through_gates(x, [&](int g, const Source& source, R gm) {
       const R inverse4 = source.inverse2 * source.inverse2;

@@ -38,14 +38,22 @@ class LaneGravitonMap {
   }
   [[nodiscard]] Mask acting() const { return acting_; }
 
-  void add_to(LaneBending<R>& sum, Vec3<R> x, Vec3<R>) const {
-    const Found found = look_up(x);
+  void add_to(LaneBending<R>& sum, Vec3<R> x, Vec3<R> t) const {
+    R slowness[most_lane_portals];
+    for (int k = 0; k < scene_.map_count; ++k) {
+      const LaneFace& face = scene_.maps[k].face;
+      const Vec3<R> way = to_axes(t, face.right, face.up, face.normal);
+      slowness[k] = slowness_of(feet_[k].keep_x * way.x, feet_[k].keep_y * way.y);
+      sum.nearness = sum.nearness + nearness_[k] * slowness[k];
+    }
+    const Found found = look_up(x, [&](int k) { return slowness[k]; });
     sum.acceleration += found.acceleration;
     sum.stiffness = sum.stiffness + found.stiffness;
-    for (int k = 0; k < scene_.map_count; ++k) sum.nearness = sum.nearness + nearness_[k];
   }
 
-  [[nodiscard]] Vec3<R> acceleration(Vec3<R> x) const { return look_up(x).acceleration; }
+  [[nodiscard]] Vec3<R> acceleration(Vec3<R> x) const {
+    return look_up(x, [](int) { return R(1); }).acceleration;
+  }
 
   [[nodiscard]] R boundary(Vec3<R> x, Vec3<R> t, Vec3<R> bend, R) const {
     R least(never);
@@ -117,15 +125,18 @@ class LaneGravitonMap {
     return {R::load(is), R::load(js), R::load(nearness), R::load(to_sharp)};
   }
 
-  /// The sum over all maps. Lane by lane: what one needs of a node lies together.
-  [[nodiscard]] Found look_up(Vec3<R> x) const {
-    alignas(64) float acts[R::lanes], out[4][R::lanes] = {};
+  /// The sum over all maps, the stiffness of each times its weight. Lane by lane: what one needs of
+  /// a node lies together.
+  template <class Weight>
+  [[nodiscard]] Found look_up(Vec3<R> x, const Weight& weight) const {
+    alignas(64) float acts[R::lanes], weights[R::lanes], out[4][R::lanes] = {};
     for (int k = 0; k < scene_.map_count; ++k) {
       if (!any(acts_[k] > R(0))) continue;
       const LaneMap& map = scene_.maps[k];
       const Vec3<R> local = local_in(map.face, x);
       const Spot spot(map, feet_[k].x(local), feet_[k].y(local));
       acts_[k].store(acts);
+      weight(k).store(weights);
       for (int lane = 0; lane < R::lanes; ++lane) {
         const int i = static_cast<int>(spot.held_u[lane]), j = static_cast<int>(spot.held_v[lane]);
         const float* low = map.nodes + 4 * (j * map.row + i);
@@ -134,7 +145,8 @@ class LaneGravitonMap {
             bilinear(Four::load(low), Four::load(low + 4), Four::load(high), Four::load(high + 4),
                      spot.u[lane] - static_cast<float>(i), spot.v[lane] - static_cast<float>(j)) *
             acts[lane];
-        for (int c = 0; c < 4; ++c) out[c][lane] += four.values[c];
+        for (int c = 0; c < 3; ++c) out[c][lane] += four.values[c];
+        out[3][lane] += four.values[3] * weights[lane];
       }
     }
     return {{R::load(out[0]), R::load(out[1]), R::load(out[2])}, R::load(out[3])};

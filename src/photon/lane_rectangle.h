@@ -35,6 +35,18 @@ struct LaneFoot {
   [[nodiscard]] R y(Vec3<R> local) const { return keep_y * local.y + fix_y; }
 };
 
+/// What comes through a portal depends on where the nearest point of its rectangle is, not on where
+/// the photon is: steps are the longer the slower that point moves. By how much less stiff and near
+/// what comes counts.
+/// @param speed_x, speed_y  of the point, per length of the way
+template <class R>
+[[nodiscard]] R slowness_of(R speed_x, R speed_y) {
+  // A bent way soon moves what a straight one would leave in its place.
+  const R least2(0.01);
+  const R speed2 = speed_x * speed_x + speed_y * speed_y + least2;
+  return speed2 * speed2;
+}
+
 /// From in front the nearest point of the rectangle, from behind that of its rim.
 /// @param rectangle  has `half_width`, `half_height`, and `tolerance`: heights down to minus this
 ///                   count as in front
