@@ -8,6 +8,9 @@
 #include <span>
 #include <variant>
 
+#include "app/machine_memory.h"
+#include "render/parallel.h"
+
 namespace portalens {
 namespace {
 
@@ -192,6 +195,27 @@ std::string gravity_text(const Space& space) {
   return text;
 }
 
+/// For the whole picture, without layers, on all threads.
+MemoryEstimate memory_of(const World& world) {
+  return estimated_memory(world, {0, 0, world.film.width, world.film.height}, 0,
+                          available_threads());
+}
+
+Json memory_json(const World& world) {
+  const MemoryEstimate estimate = memory_of(world);
+  return {{"bytes", estimate.total()},
+          {"scene", estimate.scene},
+          {"picture", estimate.picture},
+          {"machine", machine_memory()}};
+}
+
+std::string memory_line(const World& world) {
+  const MemoryEstimate estimate = memory_of(world);
+  return fmt::format("about {}, of it {} for the picture and {} for the scene; there are {}",
+                     memory_text(estimate.total()), memory_text(estimate.picture),
+                     memory_text(estimate.scene), memory_text(machine_memory()));
+}
+
 }  // namespace
 
 Json describe_json(const Scene& scene, const World& world) {
@@ -213,6 +237,7 @@ Json describe_json(const Scene& scene, const World& world) {
           {"masses", masses_json(world.space)},
           {"portals", portals_json(world)},
           {"lights", lights},
+          {"memory", memory_json(world)},
           {"warnings", world.warnings},
           {"notes", notes}};
 }
@@ -238,6 +263,7 @@ std::string describe_text(const Scene& scene, const World& world) {
                  [](const Light& light) { return "  " + name_of(light) + '\n'; });
   const Environment& environment = world.appearance.environment;
   line("environment", environment.image ? "an image" : place(environment.color));
+  line("memory", memory_line(world));
   for (const std::string& warning : world.warnings) text += "warning: " + warning + '\n';
   for (const std::string& remark : world.remarks) text += "note: " + remark + '\n';
   for (const std::string& note : scene.notes) text += "note: " + note + '\n';

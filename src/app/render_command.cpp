@@ -17,6 +17,7 @@
 #include "app/display_server.h"
 #include "app/false_color.h"
 #include "app/interrupt.h"
+#include "app/machine_memory.h"
 #include "app/progress_bar.h"
 #include "app/report.h"
 #include "app/scene_options.h"
@@ -24,6 +25,7 @@
 #include "io/image.h"
 #include "io/read_scene.h"
 #include "render/layers.h"
+#include "render/parallel.h"
 #include "render/render.h"
 
 namespace portalens {
@@ -162,6 +164,22 @@ void tell(const World& world, const RenderResult& result, const std::filesystem:
   if (!arguments.quiet) std::cerr << complaint(result.tally);
 }
 
+/// Refuses a picture that the machine has no memory for, and tells what a large one will take.
+void look_at_memory(const World& world, const RenderArguments& arguments) {
+  constexpr std::uint64_t large = std::uint64_t{1} << 30;
+  const Window window = arguments.crop.empty() ? Window{0, 0, world.film.width, world.film.height}
+                                               : checked_crop(arguments.crop, world.film);
+  std::size_t channels = 0;
+  for (const Layer layer : asked_layers(arguments.layers)) channels += channel_names(layer).size();
+  const int threads =
+      arguments.options.threads > 0 ? arguments.options.threads : available_threads();
+  const MemoryEstimate estimate = estimated_memory(world, window, channels, threads);
+  check_memory(estimate);
+  if (!arguments.quiet && (arguments.statistics || estimate.total() > large))
+    std::cerr << fmt::format("note: this takes about {} of memory; there are {}\n",
+                             memory_text(estimate.total()), memory_text(machine_memory()));
+}
+
 int render_scene(const RenderArguments& arguments) {
   Scene scene = read_with_settings(arguments.scene);
   Faults faults;
@@ -176,6 +194,7 @@ int render_scene(const RenderArguments& arguments) {
     throw SceneError({{Location{}, "--layers: " + picture.string() + " can't hold layers",
                        "name an .exr file with -o"}});
   const World world = compile_with_options(scene, arguments.scene);
+  look_at_memory(world, arguments);
   const Taken taken = take_picture(world, arguments, picture);
   const RenderResult& result = taken.result;
 

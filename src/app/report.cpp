@@ -145,7 +145,9 @@ std::string complaint(const Tally& tally) {
       "physics.max_length or shading.max_crossings");
   add(count_of(tally, Fate::trapped),
       "photons were trapped (black): they turned by more than physics.max_turning");
-  add(tally.not_finite, "samples gave light that is not a number; they are shown as lost");
+  add(tally.not_finite,
+      "samples gave light that is not a number; they are shown as lost (--stats names the "
+      "first)");
   return text;
 }
 

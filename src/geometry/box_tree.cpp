@@ -70,7 +70,8 @@ bool visit_around(RTCPointQueryFunctionArguments* arguments) {
 }
 
 [[noreturn]] void fail(RTCError error) {
-  const std::string why = error == RTC_ERROR_OUT_OF_MEMORY
+  // What its threads could not allocate, Embree reports as an unknown error.
+  const std::string why = error == RTC_ERROR_OUT_OF_MEMORY || error == RTC_ERROR_UNKNOWN
                               ? "there is not enough memory for it"
                               : "Embree reports error " + std::to_string(static_cast<int>(error));
   throw WorkError("the surfaces can't be arranged for tracing: " + why);

@@ -44,12 +44,12 @@ void check_values(const fs::path& file, int width, int height,
                       " is not of the picture's size");
     }
     const auto broken = std::find_if(channel.values.begin(), channel.values.end(),
-                                     [](float value) { return std::isnan(value); });
+                                     [](float value) { return !std::isfinite(value); });
     if (broken != channel.values.end()) {
       const std::size_t at = static_cast<std::size_t>(broken - channel.values.begin());
       const std::size_t row = static_cast<std::size_t>(width);
       throw WorkError("can't write " + file.string() + ": channel " + channel.name +
-                      " is not a number at pixel (" + std::to_string(at % row) + ", " +
+                      " is not finite at pixel (" + std::to_string(at % row) + ", " +
                       std::to_string(at / row) + ")");
     }
   }

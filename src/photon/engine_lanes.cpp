@@ -49,7 +49,8 @@ class LaneDriver {
 
  private:
   void handle(int lane, LaneEvent event, Travel way) {
-    const auto object = static_cast<std::uint32_t>(lanes_.object[lane]);
+    // -1 where nothing is met: a float below 0 is no unsigned number.
+    const auto object = static_cast<std::uint32_t>(static_cast<int>(lanes_.object[lane]));
     if (event == LaneEvent::escape) {
       way.arrival.fate = Fate::escaped;
       arrive(lane, way);

@@ -45,7 +45,7 @@ class TileWork {
       for (const std::uint32_t i : lost_here_) lost_.push_back(place(begin + i));
       keep_first(lost_);
       for (std::uint64_t i = 0; i < count; ++i) {
-        sum += checked(light_[i]);
+        sum += light_[i];
         if ((begin + i + 1) % per_pixel != 0) continue;
         const auto [x, y] = pixel((begin + i) / per_pixel);
         film_.set(x, y, sum / static_cast<double>(per_pixel));
@@ -77,13 +77,6 @@ class TileWork {
       photons[i].sample = photons[i].slot = static_cast<std::uint32_t>(i);
     }
     return photons;
-  }
-
-  /// Light that is not a number would spoil its pixel unseen: it is counted, and shown as lost.
-  [[nodiscard]] Rgb checked(Rgb light) {
-    if (is_finite(light)) return light;
-    ++tally_.not_finite;
-    return world_.appearance.limits.lost_color;
   }
 
   const World& world_;

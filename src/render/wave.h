@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -30,10 +31,19 @@ class Stopwatch {
   Clock::time_point last_ = Clock::now();
 };
 
+/// What a picture can hold of a sample's light: a channel beyond the largest float becomes that,
+/// and light that is not a number, which would spoil its pixel unseen, is shown as lost.
+[[nodiscard]] inline Rgb presentable(Rgb light, Rgb lost_color) {
+  constexpr double most = std::numeric_limits<float>::max();
+  const Rgb sound = is_finite(light) ? light : lost_color;
+  return {std::min(sound.x, most), std::min(sound.y, most), std::min(sound.z, most)};
+}
+
 /// Adds to `light[photon.sample]` what each photon and its offspring find. A sample's light is
 /// added in order of wave, and within one first what its photon saw, then its shadow queries in
 /// their order; so its sum does not depend on which other photons travel along.
-/// @param lost  if given, gets the sample of each photon that is lost
+/// In the end each is made presentable; those that were not are counted.
+/// @param lost  if given, gets the sample of each photon that is lost, and of light not a number
 /// @pre every photon's sample < light.size(), and no two photons have the same
 inline void carry_light(const Space& space, const Appearance& appearance, std::vector<Photon> wave,
                         std::span<Rgb> light, Engine engine, Tally& tally,
@@ -43,6 +53,8 @@ inline void carry_light(const Space& space, const Appearance& appearance, std::v
   const std::size_t slice = std::max<std::size_t>(1, most_at_once / each);
 
   tally.samples += wave.size();
+  std::vector<std::uint32_t> samples;
+  for (const Photon& photon : wave) samples.push_back(photon.sample);
   std::vector<Arrival> arrivals;
   std::vector<Photon> offspring;
   ShadeOutput found;
@@ -74,6 +86,13 @@ inline void carry_light(const Space& space, const Appearance& appearance, std::v
       offspring.insert(offspring.end(), found.offspring.begin(), found.offspring.end());
     }
     std::swap(wave, offspring);
+  }
+  for (const std::uint32_t sample : samples) {
+    if (!is_finite(light[sample])) {
+      ++tally.not_finite;
+      if (lost) lost->push_back(sample);
+    }
+    light[sample] = presentable(light[sample], appearance.limits.lost_color);
   }
 }
 

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 #include <utility>
 
+#include "core/words.h"
 #include "gravity/coupling.h"
 #include "world/image_store.h"
 #include "world/light_list.h"
@@ -83,6 +85,24 @@ void check_portal_gravity(const Scene& scene, const Physics& physics, const Obje
         "give a smaller graviton_resolution or portal_gravity_depth");
 }
 
+/// Steps and tolerances are made for the size of the space, to which influences count: what is tiny
+/// in it is passed over.
+void check_influences(const Scene& scene, const Objects& objects, const Box& extent, Vec3d camera,
+                      Faults& faults) {
+  constexpr double widest = 1e7;
+  Box box = extent;
+  box.add(camera);
+  for (const Mass& mass : objects.masses) {
+    if (!std::isfinite(mass.influence) || mass.influence <= widest * box.diagonal()) continue;
+    Parameters(scene.physics, faults)
+        .fault(
+            "min_force",
+            fmt::format("the influence of {} reaches {:.3g} far, and all else of the scene {:.3g}",
+                        in_quotes(mass.name), mass.influence, box.diagonal()),
+            "give a larger min_force, or 0 for influences without an end");
+  }
+}
+
 /// What a camera without a place of its own has to see.
 Box extent_of(const Objects& objects) {
   Box box;
@@ -129,6 +149,7 @@ World compile(const Scene& scene, const CompileOptions& options) {
     return Camera::from(parameters,
                         scene.has_camera ? std::nullopt : std::optional<Box>(extent_of(objects)));
   });
+  check_influences(scene, objects, extent_of(objects), camera.position, faults);
   faults.raise();
 
   look.materials = std::move(materials).take();

@@ -26,14 +26,17 @@ std::shared_ptr<const Image> ImageStore::load(const std::filesystem::path& file,
   if (!path) return nullptr;
   const auto [place, is_new] = images_.emplace(*path, nullptr);
   if (!is_new) return place->second;
+  std::optional<Image> image;
+  if (bytes_ <= budget) {
+    image = read_image(*path, asked_at, *faults_);
+    if (!image) return nullptr;
+    bytes_ += image->pixels.size() * sizeof(float);
+  }
   if (bytes_ > budget) {
     faults_->add(asked_at, "no memory is left for the image " + in_quotes(name),
                  "use smaller images: together at most 2 GiB, 12 bytes a pixel");
     return nullptr;
   }
-  std::optional<Image> image = read_image(*path, asked_at, *faults_);
-  if (!image) return nullptr;
-  bytes_ += image->pixels.size() * sizeof(float);
   place->second = std::make_shared<const Image>(std::move(*image));
   return place->second;
 }
