@@ -88,7 +88,7 @@ def keep(target, place):
         for file in folder.iterdir():
             if file.stat().st_size <= KEPT_BYTES:
                 shutil.copy(file, short / file.name)
-    subprocess.run(command(target, "-merge=1", str(fresh), str(short)), env=environment(place),
+    subprocess.run(command(target, "-set_cover_merge=1", str(fresh), str(short)), env=environment(place),
                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=True)
     shutil.rmtree(kept, ignore_errors=True)
     shutil.copytree(fresh, kept)
