@@ -41,16 +41,6 @@ struct Search {
   }
 };
 
-/// False only if the triangle is farther than `radius` from the segment.
-bool triangle_near(const Mesh& mesh, std::uint32_t face, const Segment& segment, double radius) {
-  const auto corners = mesh.triangle(face);
-  const Vec3d from_axis = corners[0] - closest_on_segment(segment.a, segment.b, corners[0]);
-  const Vec3d ab = corners[1] - corners[0], ac = corners[2] - corners[0];
-  const double reach = radius + std::sqrt(std::max(dot(ab, ab), dot(ac, ac)));
-  if (dot(from_axis, from_axis) > reach * reach) return false;
-  return polygon_clearance(corners, mesh.normal(face), segment) <= radius;
-}
-
 }  // namespace
 
 struct Accelerator::Implementation {
@@ -180,25 +170,43 @@ bool Accelerator::blocked(const Ray& ray, double low, double high,
   return nearest(ray, low, high, departure).has_value();
 }
 
+namespace {
+
+/// How far from x the nearest triangle is, at most `limit`; from far off a lower bound.
+double distance_to(const MeshTree& mesh, Vec3d x, double limit) {
+  const double away = mesh.tree.bounds().distance(x);
+  if (!(away < limit)) return limit;
+  if (away > 100.0 * mesh.tree.bounds().diagonal()) return away;
+  double least = limit;
+  mesh.tree.around(x, limit, [&](std::uint32_t face) {
+    const auto [a, b, c] = mesh.mesh->triangle(face);
+    return least = std::min(least, length(x - closest_on_triangle(a, b, c, x)));
+  });
+  return least;
+}
+
+/// Whether a triangle may lie within `radius` of the stretch of the ray. Goes along it by as much
+/// as is free around it each time, and says yes where that is too little to get on.
+bool may_pass(const MeshTree& mesh, const Ray& ray, double first, double last, double radius) {
+  constexpr int most_strides = 12;
+  for (int i = 0; i < most_strides; ++i) {
+    const double free = distance_to(mesh, ray.at(first), last - first + 2.0 * radius);
+    if (free <= radius) return true;
+    first += free - radius;
+    if (first >= last) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
 double Accelerator::clearance(Vec3d x, double limit) const {
   const Implementation& all = *implementation_;
   if (!is_finite(x)) return 0.0;
   double least = limit;
   for (const std::uint32_t shape : all.plain)
     if (all.boxes[shape].distance(x) < least) least = std::min(least, all.clearance(shape, {x, x}));
-  for (const MeshTree& mesh : all.meshes) {
-    const double away = mesh.tree.bounds().distance(x);
-    if (!(away < least)) continue;
-    if (away > 100.0 * mesh.tree.bounds().diagonal()) {
-      least = away;
-      continue;
-    }
-    mesh.tree.around(x, least, [&](std::uint32_t face) {
-      const auto [a, b, c] = mesh.mesh->triangle(face);
-      const Vec3d point = closest_on_triangle(a, b, c, x);
-      return least = std::min(least, length(x - point));
-    });
-  }
+  for (const MeshTree& mesh : all.meshes) least = distance_to(mesh, x, least);
   return least;
 }
 
@@ -219,14 +227,7 @@ bool Accelerator::near(const Segment& segment, double radius) const {
   for (const MeshTree& mesh : all.meshes) {
     const auto [first, last] = part_near(mesh.shape);
     if (!(first <= last)) continue;
-    const Segment part{ray.at(first), ray.at(last)};
-    bool found = false;
-    const auto try_triangle = [&](std::uint32_t face) {
-      found = found || triangle_near(*mesh.mesh, face, part, radius);
-      return found ? 0.0 : infinity;
-    };
-    mesh.tree.around((part.a + part.b) * 0.5, 0.5 * (last - first) + radius, try_triangle);
-    if (found) return true;
+    if (may_pass(mesh, ray, first, last, radius)) return true;
   }
   return false;
 }
