@@ -42,7 +42,7 @@ struct LaneFoot {
 template <class R>
 [[nodiscard]] R slowness_of(R speed_x, R speed_y) {
   // A bent way soon moves what a straight one would leave in its place.
-  const R least2(0.01);
+  const R least2(0.03);
   const R speed2 = speed_x * speed_x + speed_y * speed_y + least2;
   return speed2 * speed2;
 }
