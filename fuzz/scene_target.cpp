@@ -57,6 +57,7 @@ void take(const World& world, Engine engine) {
   RenderOptions options;
   options.threads = 1;
   options.engine = engine;
+  options.layers = {Layer::depth, Layer::normal, Layer::albedo, Layer::order};
   check_picture(render(world, options));
 }
 
@@ -72,8 +73,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     static_cast<void>(describe_text(scene, world));
     take(world, Engine::automatic);
     take(world, Engine::scalar);
-    static constexpr Layer layers[] = {Layer::depth, Layer::normal, Layer::albedo, Layer::order};
-    static_cast<void>(take_layers(world, {0, 0, 8, 8}, layers, 1, nullptr));
   } catch (const SceneError& error) {
     fuzz::check_faults(error.faults());
   }

@@ -24,6 +24,7 @@ using Command = std::function<int()>;
 /// Each adds its subcommand; if the user names it, `chosen` becomes what it does.
 void add_render_command(CLI::App& program, Command& chosen);
 void add_check_command(CLI::App& program, Command& chosen);
+void add_merge_command(CLI::App& program, Command& chosen);
 void add_trace_command(CLI::App& program, Command& chosen);
 void add_image_command(CLI::App& program, Command& chosen);
 void add_field_command(CLI::App& program, Command& chosen);

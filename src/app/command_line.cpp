@@ -18,13 +18,14 @@ Examples:
   portalens render scene.toml           writes scene.png here
   portalens render scene.toml -o big.exr --width 1920 --height 1080 --samples 64
   portalens render scene.toml --set physics.portal_gravity=shortest-path
+  portalens render scene.toml --checkpoint 60     may be killed: --resume goes on
   portalens check scene.toml            what the scene holds, and what is odd
   portalens trace scene.toml --ray 0 1 5  0 0 -1 --json
   portalens field scene.toml --plane xz -o field.png
   portalens draw scene.toml --pixel 120 80 --view top
 
 Exit codes: 0 done; 1 the work failed (disk, memory); 2 the scene or the command
-line has a fault; 130 interrupted.)";
+line has a fault; 130, 143 ended by INT, TERM: --resume goes on with a render.)";
 
 /// CLI11 2.1 takes "-.5" for an option; "-0.5" it takes for a number.
 void spell_out_negative_fractions(std::vector<std::string>& arguments) {
@@ -99,6 +100,7 @@ int run_command_line(std::vector<std::string> arguments) {
   program.require_subcommand(1);
   Command chosen;
   add_render_command(program, chosen);
+  add_merge_command(program, chosen);
   add_check_command(program, chosen);
   add_trace_command(program, chosen);
   add_image_command(program, chosen);

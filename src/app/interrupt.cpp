@@ -1,33 +1,47 @@
 #include "app/interrupt.h"
 
+#include <array>
 #include <atomic>
 #include <csignal>
 
 namespace portalens {
 namespace {
 
-// A signal handler can reach nothing but what is static.
-std::atomic<bool> interrupted{false};
-static_assert(std::atomic<bool>::is_always_lock_free);
+constexpr std::array<int, 3> ends = {SIGINT, SIGTERM, SIGHUP};
 
-extern "C" void remember_interrupt(int signal) {
-  interrupted = true;
-  std::signal(signal, SIG_DFL);
+// A signal handler can reach nothing but what is static.
+std::atomic<int> ended{0};
+std::atomic<bool> look{false};
+static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
+
+extern "C" void remember_end(int signal) {
+  ended = signal;
+  for (const int one : ends) std::signal(one, SIG_DFL);
 }
+
+extern "C" void remember_look(int) { look = true; }
 
 }  // namespace
 
-InterruptRequest::InterruptRequest() {
-  interrupted = false;
-  std::signal(SIGINT, remember_interrupt);
-  std::signal(SIGTERM, remember_interrupt);
+Signals::Signals() {
+  ended = 0;
+  look = false;
+  std::signal(SIGUSR1, remember_look);
 }
 
-InterruptRequest::~InterruptRequest() {
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
+Signals::~Signals() {
+  for (const int one : ends) std::signal(one, SIG_DFL);
+  std::signal(SIGUSR1, SIG_IGN);
 }
 
-bool InterruptRequest::requested() const { return interrupted; }
+void Signals::hold_ends() {
+  std::signal(SIGINT, remember_end);
+  std::signal(SIGTERM, remember_end);
+  if (std::signal(SIGHUP, remember_end) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
+}
+
+int Signals::ended_by() const { return ended; }
+
+bool Signals::take_look() { return look.exchange(false); }
 
 }  // namespace portalens

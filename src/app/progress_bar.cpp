@@ -26,20 +26,22 @@ std::string rounded_count(double count) {
   return fmt::format("{:.{}f}{}", count, decimals, unit);
 }
 
-std::string progress_line(std::size_t done, std::size_t total, std::size_t photons,
-                          double seconds) {
+std::string progress_line(std::size_t done, std::size_t total, std::size_t photons, double seconds,
+                          std::size_t before) {
   constexpr std::size_t width = 24;
   const double share = static_cast<double>(done) / static_cast<double>(total);
   const auto filled = static_cast<std::size_t>(share * width);
   std::string line = fmt::format("[{}{}] {:3.0f}%", std::string(filled, '#'),
                                  std::string(width - filled, '.'), std::floor(100.0 * share));
-  if (seconds <= 0.0 || done == 0) return line;
+  if (seconds <= 0.0 || done == before) return line;
+  const auto left = static_cast<double>(total - done) / static_cast<double>(done - before);
   return line + fmt::format("  {} photons/s  {} left",
                             rounded_count(static_cast<double>(photons) / seconds),
-                            clock_text(seconds * (1.0 - share) / share));
+                            clock_text(seconds * left));
 }
 
-ProgressBar::ProgressBar() : start_(Clock::now()), drawn_(start_) {}
+ProgressBar::ProgressBar(std::size_t before, const Tally& tally)
+    : before_(before), photons_before_(tally.photons), start_(Clock::now()), drawn_(start_) {}
 
 ProgressBar::~ProgressBar() { std::fputs("\r\033[K", stderr); }
 
@@ -48,7 +50,10 @@ void ProgressBar::advanced(std::size_t done, std::size_t total, const Tally& tal
   if (done < total && now - drawn_ < std::chrono::milliseconds(200)) return;
   drawn_ = now;
   const double seconds = std::chrono::duration<double>(now - start_).count();
-  std::fputs(("\r\033[K" + progress_line(done, total, tally.photons, seconds)).c_str(), stderr);
+  std::fputs(
+      ("\r\033[K" + progress_line(done, total, tally.photons - photons_before_, seconds, before_))
+          .c_str(),
+      stderr);
   std::fflush(stderr);
 }
 

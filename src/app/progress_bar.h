@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 #include "render/render.h"
@@ -17,14 +18,16 @@ namespace portalens {
 [[nodiscard]] std::string rounded_count(double count);
 
 /// `[#####...............]  25%  1.2 M photons/s  0:42 left`
-/// @pre 0 <= done <= total, total > 0
+/// @param photons, seconds  that it took since `before` was done
+/// @pre 0 <= before <= done <= total, total > 0
 [[nodiscard]] std::string progress_line(std::size_t done, std::size_t total, std::size_t photons,
-                                        double seconds);
+                                        double seconds, std::size_t before = 0);
 
 /// Draws that line on standard error, a few times a second, and takes it away in the end.
 class ProgressBar : public Progress {
  public:
-  ProgressBar();
+  /// @param before, tally  what stood before this began
+  explicit ProgressBar(std::size_t before = 0, const Tally& tally = {});
   ~ProgressBar() override;
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
@@ -33,6 +36,8 @@ class ProgressBar : public Progress {
 
  private:
   using Clock = std::chrono::steady_clock;
+  std::size_t before_;
+  std::uint64_t photons_before_;
   Clock::time_point start_, drawn_;
 };
 

@@ -75,8 +75,7 @@ std::string statistics_text(const RenderResult& result, const std::string& scene
   return text;
 }
 
-Json statistics_json(const World& world, const RenderResult& result,
-                     const std::filesystem::path& picture) {
+Json statistics_json(const RenderResult& result, const std::filesystem::path& picture) {
   const Tally& tally = result.tally;
   Json fates = Json::object();
   for (int i = 0; i < fate_count; ++i) fates[std::string(fate_names[i])] = tally.fates[i];
@@ -85,7 +84,7 @@ Json statistics_json(const World& world, const RenderResult& result,
       {"complete", result.completion == Completion::complete},
       {"width", result.window.width()},
       {"height", result.window.height()},
-      {"samples_per_pixel", world.sampling.samples},
+      {"samples_per_pixel", result.samples.count()},
       {"samples", tally.samples},
       {"photons", tally.photons},
       {"fates", fates},
@@ -101,38 +100,50 @@ Json statistics_json(const World& world, const RenderResult& result,
       {"photons_per_second", per(tally.photons, result.seconds)}};
 }
 
-Metadata picture_metadata(const World& world, const RenderResult& result) {
+Metadata world_metadata(const World& world) {
   const Physics& physics = world.space.physics;
   const ShadingLimits& limits = world.appearance.limits;
+  return {{"Software", "portalens " PORTALENS_VERSION},
+          {"portalens:scene", world.file.filename().string()},
+          {"portalens:film", fmt::format("{} x {}", world.film.width, world.film.height)},
+          {"portalens:samples", fmt::format("{}", world.sampling.samples)},
+          {"portalens:seed", fmt::format("{}", world.sampling.seed)},
+          {"portalens:G", fmt::format("{}", physics.G)},
+          {"portalens:c", fmt::format("{}", physics.c)},
+          {"portalens:min_force", fmt::format("{}", physics.min_force)},
+          {"portalens:integrator", physics.integrator},
+          {physics.integrator == "adaptive" ? "portalens:tolerance" : "portalens:step",
+           fmt::format("{}", physics.integrator == "adaptive" ? physics.tolerance : physics.step)},
+          {"portalens:max_steps", fmt::format("{}", physics.max_steps)},
+          {"portalens:max_length", fmt::format("{}", physics.max_length)},
+          {"portalens:max_turning", fmt::format("{}", physics.max_turning)},
+          {"portalens:portal_gravity", physics.portal_gravity},
+          {"portalens:portal_gravity_depth", fmt::format("{}", physics.portal_gravity_depth)},
+          {"portalens:max_crossings", fmt::format("{}", world.space.max_crossings)},
+          {"portalens:max_bounces", fmt::format("{}", limits.max_bounces)},
+          {"portalens:shadow_samples", fmt::format("{}", limits.shadow_samples)},
+          {"portalens:ambient", vector_text(limits.ambient)}};
+}
+
+Metadata result_metadata(const RenderResult& result) {
   const Window& window = result.window;
   Metadata metadata = {
-      {"Software", "portalens " PORTALENS_VERSION},
-      {"portalens:scene", world.file.filename().string()},
-      {"portalens:film", fmt::format("{} x {}", world.film.width, world.film.height)},
       {"portalens:window", fmt::format("{} {} {} {}", window.x0, window.y0, window.x1, window.y1)},
-      {"portalens:samples", fmt::format("{}", world.sampling.samples)},
-      {"portalens:seed", fmt::format("{}", world.sampling.seed)},
-      {"portalens:G", fmt::format("{}", physics.G)},
-      {"portalens:c", fmt::format("{}", physics.c)},
-      {"portalens:min_force", fmt::format("{}", physics.min_force)},
-      {"portalens:integrator", physics.integrator},
-      {physics.integrator == "adaptive" ? "portalens:tolerance" : "portalens:step",
-       fmt::format("{}", physics.integrator == "adaptive" ? physics.tolerance : physics.step)},
-      {"portalens:max_steps", fmt::format("{}", physics.max_steps)},
-      {"portalens:max_length", fmt::format("{}", physics.max_length)},
-      {"portalens:max_turning", fmt::format("{}", physics.max_turning)},
-      {"portalens:portal_gravity", physics.portal_gravity},
-      {"portalens:portal_gravity_depth", fmt::format("{}", physics.portal_gravity_depth)},
-      {"portalens:max_crossings", fmt::format("{}", world.space.max_crossings)},
-      {"portalens:max_bounces", fmt::format("{}", limits.max_bounces)},
-      {"portalens:shadow_samples", fmt::format("{}", limits.shadow_samples)},
-      {"portalens:ambient", vector_text(limits.ambient)},
       {"portalens:complete", result.completion == Completion::complete ? "yes" : "no"},
       {"portalens:photons", fmt::format("{}", result.tally.photons)}};
   for (int i = 0; i < fate_count; ++i)
     metadata.emplace_back(fmt::format("portalens:{}", fate_names[i]),
                           fmt::format("{}", result.tally.fates[i]));
   return metadata;
+}
+
+std::string object_list(const World& world) {
+  constexpr std::size_t most = 1000;
+  const std::vector<std::string> names = object_names(world);
+  std::string list;
+  for (std::size_t i = 0; i < std::min(most, names.size()); ++i)
+    list += fmt::format("{} {}\n", i + 1, names[i]);
+  return list;
 }
 
 std::string complaint(const Tally& tally) {

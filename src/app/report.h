@@ -20,12 +20,17 @@ namespace portalens {
 [[nodiscard]] std::string statistics_text(const RenderResult& result, const std::string& scene);
 
 /// What `--json` prints.
-[[nodiscard]] Json statistics_json(const World& world, const RenderResult& result,
+[[nodiscard]] Json statistics_json(const RenderResult& result,
                                    const std::filesystem::path& picture);
 
-/// What an EXR file keeps: from which scene and settings it was made, and how its photons ended.
-/// The same render has the same metadata.
-[[nodiscard]] Metadata picture_metadata(const World& world, const RenderResult& result);
+/// What an EXR file keeps of the scene and the settings from which it was made.
+[[nodiscard]] Metadata world_metadata(const World& world);
+/// What it keeps besides: which part of the picture it is, and how its photons ended. The same
+/// picture has the same.
+[[nodiscard]] Metadata result_metadata(const RenderResult& result);
+
+/// The objects' numbers in the layer `object`, a line each; those of large scenes are cut.
+[[nodiscard]] std::string object_list(const World& world);
 
 /// Advice where photons were lost or trapped, or light was not a number; empty if there is none.
 [[nodiscard]] std::string complaint(const Tally& tally);

@@ -139,32 +139,78 @@ std::optional<std::string> contents(int number, std::uint64_t size) {
 
 std::string in_megabytes(std::uint64_t bytes) { return std::to_string(bytes >> 20) + " MiB"; }
 
-}  // namespace
+/// A regular file of that length, or nothing and a fault.
+struct Opened {
+  int number = -1;
+  std::uint64_t size = 0;
+};
 
-std::optional<std::string> read_file(const fs::path& file, std::uint64_t limit,
-                                     const Location& asked_at, Faults& faults) {
+std::optional<Opened> open_regular(const fs::path& file, const Location& asked_at, Faults& faults) {
   const auto refuse = [&](const std::string& problem, const std::string& remedy) {
     faults.add(asked_at, problem, remedy);
     return std::nullopt;
   };
   const std::string name = file.string();
-  const Descriptor opened(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
-  if (!opened.open()) {
+  const int number = ::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+  if (number < 0) {
     const int code = errno;
     if (code == ENOENT) return refuse("there is no file " + name, "check its name and its folder");
     return refuse("can't read " + name + ": " + cause(code), "make it readable");
   }
   struct stat status {};
-  if (::fstat(opened.number(), &status) != 0 || !S_ISREG(status.st_mode)) {
+  if (::fstat(number, &status) != 0 || !S_ISREG(status.st_mode)) {
+    ::close(number);
     return refuse(name + " is not a regular file", "name a file, not a folder or a device");
   }
-  const auto size = static_cast<std::uint64_t>(status.st_size);
+  return Opened{number, static_cast<std::uint64_t>(status.st_size)};
+}
+
+}  // namespace
+
+RegularFile::RegularFile(const fs::path& file) {
+  Faults faults;
+  const auto opened = open_regular(file, {}, faults);
+  faults.raise();
+  number_ = opened->number;
+  size_ = opened->size;
+}
+
+RegularFile::~RegularFile() { ::close(number_); }
+
+std::string RegularFile::read(std::uint64_t offset, std::size_t count) const {
+  std::string bytes(
+      static_cast<std::size_t>(std::min<std::uint64_t>(count, size_ - std::min(offset, size_))),
+      '\0');
+  std::size_t done = 0;
+  while (done < bytes.size()) {
+    const ssize_t got = ::pread(number_, bytes.data() + done, std::min(bytes.size() - done, piece),
+                                static_cast<off_t>(offset + done));
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) break;
+    done += static_cast<std::size_t>(got);
+  }
+  bytes.resize(done);
+  return bytes;
+}
+
+std::optional<std::string> read_file(const fs::path& file, std::uint64_t limit,
+                                     const Location& asked_at, Faults& faults, Digests* digests) {
+  const auto refuse = [&](const std::string& problem, const std::string& remedy) {
+    faults.add(asked_at, problem, remedy);
+    return std::nullopt;
+  };
+  const std::string name = file.string();
+  const auto found = open_regular(file, asked_at, faults);
+  if (!found) return std::nullopt;
+  const Descriptor opened(found->number);
+  const std::uint64_t size = found->size;
   const std::string too_long = "at most " + in_megabytes(limit) + " are read";
   if (size > limit) return refuse(name + " has " + in_megabytes(size), too_long);
   try {
     auto bytes = contents(opened.number(), size);
     if (!bytes) return refuse("can't read " + name + ": " + cause(errno), "check the disk");
     if (bytes->size() > size) return refuse(name + " grew while it was read", "try again");
+    if (digests) (*digests)[file] = digest(*bytes);
     return bytes;
   } catch (const std::bad_alloc&) {
     return refuse("no memory for the " + in_megabytes(size) + " of " + name, "use a smaller file");

@@ -10,14 +10,17 @@
 
 #include "core/error.h"
 #include "core/image.h"
+#include "io/digest.h"
 
 namespace portalens {
 
 /// Three linear channels; 8-bit files are taken as sRGB. The kind is told by the file's first
 /// bytes. The header's size is checked against a budget before anything is allocated.
 /// @param asked_at  where the scene names the file
+/// @param digests   if given, gets the file's
 [[nodiscard]] std::optional<Image> read_image(const std::filesystem::path& file,
-                                              const Location& asked_at, Faults& faults);
+                                              const Location& asked_at, Faults& faults,
+                                              Digests* digests = nullptr);
 
 /// A named plane of a picture: `R`, `G`, `B`, `depth.Z`, ...
 struct Channel {

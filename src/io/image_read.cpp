@@ -138,9 +138,9 @@ Image decode(const std::string& bytes, ImageFormat format) {
 /// Reads a file, and gives what `decoded` makes of its bytes; faults are added where it can't.
 template <class Decoded>
 auto read_picture(const std::filesystem::path& file, const Location& asked_at, Faults& faults,
-                  const Decoded& decoded)
+                  Digests* digests, const Decoded& decoded)
     -> std::optional<decltype(decoded(std::string{}, ImageFormat{}))> {
-  auto bytes = read_file(file, most_bytes, asked_at, faults);
+  auto bytes = read_file(file, most_bytes, asked_at, faults, digests);
   if (!bytes) return std::nullopt;
   const std::string name = "the picture " + file.filename().string() + " ";
   const auto format = image_format(*bytes);
@@ -167,15 +167,16 @@ auto read_picture(const std::filesystem::path& file, const Location& asked_at, F
 }  // namespace
 
 std::optional<Image> read_image(const std::filesystem::path& file, const Location& asked_at,
-                                Faults& faults) {
-  return read_picture(file, asked_at, faults, decode);
+                                Faults& faults, Digests* digests) {
+  return read_picture(file, asked_at, faults, digests, decode);
 }
 
 std::optional<ChannelPicture> read_channels(const std::filesystem::path& file,
                                             const Location& asked_at, Faults& faults) {
-  return read_picture(file, asked_at, faults, [](const std::string& bytes, ImageFormat format) {
-    return opened(bytes, format, all_channels_of);
-  });
+  return read_picture(file, asked_at, faults, nullptr,
+                      [](const std::string& bytes, ImageFormat format) {
+                        return opened(bytes, format, all_channels_of);
+                      });
 }
 
 }  // namespace portalens

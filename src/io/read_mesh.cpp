@@ -36,11 +36,13 @@ constexpr std::string_view harmless[] = {"o", "g", "s", "l", "p"};
 
 class MeshReader {
  public:
-  MeshReader(std::string_view text, const std::filesystem::path& path, Faults& faults)
+  MeshReader(std::string_view text, const std::filesystem::path& path, Faults& faults,
+             Digests* digests)
       : lines_(text),
         path_(path),
         file_(std::make_shared<const std::string>(path.string())),
         faults_(&faults),
+        digests_(digests),
         before_(faults.size()) {}
 
   MeshFile read() {
@@ -219,7 +221,7 @@ class MeshReader {
     const std::string name = lines_.rest();
     const auto file = resolve_file(path_, name, Containment::scene_folder, here(), *faults_);
     if (!file) return;
-    const auto text = read_file(*file, most_mtl_bytes, here(), *faults_);
+    const auto text = read_file(*file, most_mtl_bytes, here(), *faults_, digests_);
     if (!text) return;
     const auto shown = std::make_shared<const std::string>((path_.parent_path() / name).string());
     for (Table& table : read_mtl(*text, shown, *faults_)) {
@@ -320,6 +322,7 @@ class MeshReader {
   std::filesystem::path path_;
   std::shared_ptr<const std::string> file_;
   Faults* faults_;
+  Digests* digests_;
   std::size_t before_;
   Triangles mesh_;
   std::vector<Table> materials_;
@@ -332,11 +335,12 @@ class MeshReader {
 
 }  // namespace
 
-MeshFile read_mesh(const std::filesystem::path& file, const Location& asked_at, Faults& faults) {
-  const auto text = read_file(file, most_bytes, asked_at, faults);
+MeshFile read_mesh(const std::filesystem::path& file, const Location& asked_at, Faults& faults,
+                   Digests* digests) {
+  const auto text = read_file(file, most_bytes, asked_at, faults, digests);
   if (!text) return {};
   try {
-    return MeshReader(*text, file, faults).read();
+    return MeshReader(*text, file, faults, digests).read();
   } catch (const std::bad_alloc&) {
     faults.add(asked_at, "no memory for the mesh " + file.filename().string(),
                "use a coarser mesh");

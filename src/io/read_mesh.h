@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/parameters.h"
+#include "io/digest.h"
 #include "math/triangles.h"
 
 namespace portalens {
@@ -23,8 +24,9 @@ struct MeshFile {
 
 /// Polygons are triangulated here, once. Every index and number is checked.
 /// @param asked_at  where the scene names the file; faults without a line of their own point there
+/// @param digests   if given, gets those of the file and its material file
 /// @return an empty mesh if there was any fault
 [[nodiscard]] MeshFile read_mesh(const std::filesystem::path& file, const Location& asked_at,
-                                 Faults& faults);
+                                 Faults& faults, Digests* digests = nullptr);
 
 }  // namespace portalens

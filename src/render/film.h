@@ -1,13 +1,9 @@
 /// \file
-/// The film: which part of the picture is taken, tile by tile, and what has reached it.
+/// Parts of a picture: windows, and the tiles they are cut into.
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
-#include <utility>
-
-#include "core/image.h"
-#include "math/vec3.h"
 
 namespace portalens {
 
@@ -20,7 +16,18 @@ struct Window {
   [[nodiscard]] std::size_t pixels() const {
     return static_cast<std::size_t>(width()) * static_cast<std::size_t>(height());
   }
+  [[nodiscard]] bool empty() const { return x0 >= x1 || y0 >= y1; }
+  /// Whether every pixel of `other` is one of these.
+  [[nodiscard]] bool holds(const Window& other) const {
+    return x0 <= other.x0 && y0 <= other.y0 && other.x1 <= x1 && other.y1 <= y1;
+  }
+  friend bool operator==(const Window&, const Window&) = default;
 };
+
+/// The pixels that lie in both; it may be empty.
+[[nodiscard]] inline Window common_part(const Window& a, const Window& b) {
+  return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
+}
 
 /// A window cut into squares, smaller at its right and lower edges, counted row by row.
 class Tiling {
@@ -43,28 +50,6 @@ class Tiling {
   Window window_;
   int size_;
   int columns_;
-};
-
-/// Linear radiance of each pixel of a window. Different pixels may be set from different threads.
-class Exposure {
- public:
-  explicit Exposure(const Window& window)
-      : window_(window), image_(window.width(), window.height(), 3) {}
-
-  /// @pre (x, y) lies in the window
-  void set(int x, int y, Rgb radiance) {
-    float* pixel = image_.at(x - window_.x0, y - window_.y0);
-    pixel[0] = static_cast<float>(radiance.x);
-    pixel[1] = static_cast<float>(radiance.y);
-    pixel[2] = static_cast<float>(radiance.z);
-  }
-  /// The picture of the window so far.
-  [[nodiscard]] const Image& image() const { return image_; }
-  [[nodiscard]] Image release() && { return std::move(image_); }
-
- private:
-  Window window_;
-  Image image_;
 };
 
 }  // namespace portalens

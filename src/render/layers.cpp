@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "render/camera_photon.h"
-#include "render/parallel.h"
 #include "shading/shading_point.h"
 
 namespace portalens {
@@ -139,32 +138,20 @@ std::vector<std::string> object_names(const World& world) {
   return names;
 }
 
-std::optional<std::vector<Channel>> take_layers(const World& world, const Window& window,
-                                                std::span<const Layer> layers, int threads,
-                                                const Cancellation* cancellation) {
-  std::vector<Channel> channels;
-  for (const Layer layer : layers)
-    for (std::string& name : channel_names(layer))
-      channels.push_back({std::move(name), std::vector<float>(window.pixels())});
+std::size_t channel_count(std::span<const Layer> layers) {
+  std::size_t count = 0;
+  for (const Layer layer : layers) count += channel_names(layer).size();
+  return count;
+}
 
-  const auto row = [&](std::size_t y) {
-    for (int x = 0; x < window.width(); ++x) {
-      Journey journey;
-      const Photon photon =
-          camera_photon(world, {window.x0 + x, window.y0 + static_cast<int>(y), 0});
-      const Arrival arrival = advance_recorded(world.space, photon, journey);
-      const Sight sight = sight_of(world, arrival, journey);
-      std::size_t channel = 0;
-      for (const Layer layer : layers)
-        for (const float value : channel_values(sight, layer))
-          channels[channel++].values[y * static_cast<std::size_t>(window.width()) + x] = value;
-    }
-  };
-  const auto stop = [&] { return cancellation && cancellation->requested(); };
-  const bool all = parallel_for(static_cast<std::size_t>(window.height()),
-                                threads > 0 ? threads : available_threads(), row, stop);
-  if (!all) return std::nullopt;
-  return channels;
+void take_layers(const World& world, int x, int y, std::span<const Layer> layers,
+                 std::span<float> values) {
+  Journey journey;
+  const Arrival arrival = advance_recorded(world.space, camera_photon(world, {x, y, 0}), journey);
+  const Sight sight = sight_of(world, arrival, journey);
+  std::size_t channel = 0;
+  for (const Layer layer : layers)
+    for (const float value : channel_values(sight, layer)) values[channel++] = value;
 }
 
 }  // namespace portalens

@@ -3,16 +3,14 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "io/image.h"
 #include "photon/engine.h"
-#include "render/render.h"
 #include "world/world.h"
 
 namespace portalens {
@@ -70,11 +68,13 @@ struct Sight {
 /// Surfaces, then portals, then masses, each in the order of the scene.
 [[nodiscard]] std::vector<std::string> object_names(const World& world);
 
-/// The channels of these layers, over a window. Each pixel tells of its first sample, which the
+/// How many channels the layers have.
+[[nodiscard]] std::size_t channel_count(std::span<const Layer> layers);
+
+/// The channels' values of these layers at a pixel, which tells of its first sample, which the
 /// scalar engine follows: the same as `trace --pixel X Y --sample 0`.
-/// @return nothing if it was cancelled
-[[nodiscard]] std::optional<std::vector<Channel>> take_layers(
-    const World& world, const Window& window, std::span<const Layer> layers, int threads,
-    const Cancellation* cancellation = nullptr);
+/// @param values  gets them; `channel_count(layers)` long
+void take_layers(const World& world, int x, int y, std::span<const Layer> layers,
+                 std::span<float> values);
 
 }  // namespace portalens

@@ -1,11 +1,10 @@
 #include "render/render.h"
 
 #include <algorithm>
-#include <chrono>
 #include <mutex>
 #include <utility>
 
-#include "render/camera_photon.h"
+#include "render/pace.h"
 #include "render/parallel.h"
 #include "render/wave.h"
 
@@ -14,114 +13,202 @@ namespace {
 
 /// Camera photons that travel together at most.
 constexpr std::uint64_t most_in_wave = 8192;
+/// Pixels whose layers are taken at once at most.
+constexpr std::uint64_t most_layer_pixels = 4096;
 
-/// Sorts the samples, and leaves the first of each of the first few pixels.
-void keep_first(std::vector<PixelSample>& samples) {
-  std::sort(samples.begin(), samples.end());
-  const auto same_pixel = [](const PixelSample& a, const PixelSample& b) {
-    return a.x == b.x && a.y == b.y;
-  };
-  samples.erase(std::unique(samples.begin(), samples.end(), same_pixel), samples.end());
-  if (samples.size() > most_lost) samples.resize(most_lost);
-}
+/// What the threads share.
+struct Shared {
+  const World& world;
+  Exposure& exposure;
+  Engine engine;
+  Progress* progress;
+  std::mutex telling{};  ///< held while progress is told: whoever listens may take its time
+  Pace photons{512, most_in_wave}, layer_pixels{16, most_layer_pixels};
+};
 
-/// Takes one tile. Its camera samples are numbered pixel by pixel, and travel in batches that may
-/// begin and end within a pixel.
-class TileWork {
+/// Takes one tile, or what is left of it. Its camera samples are numbered pixel by pixel, and
+/// travel in batches that may begin and end within a pixel; after each batch it is noted what
+/// stands.
+class TileTaker {
  public:
-  TileWork(const World& world, const Window& tile, Engine engine, Exposure& film)
-      : world_(world), tile_(tile), engine_(engine), film_(film) {}
-
-  Tally take() {
-    const auto per_pixel = static_cast<std::uint64_t>(world_.sampling.samples);
-    const std::uint64_t total = tile_.pixels() * per_pixel;
-    Rgb sum;
-    for (std::uint64_t begin = 0; begin < total; begin += most_in_wave) {
-      const std::uint64_t count = std::min(most_in_wave, total - begin);
-      light_.assign(count, Rgb{});
-      lost_here_.clear();
-      carry_light(world_.space, world_.appearance, camera_photons(begin, count), light_, engine_,
-                  tally_, &lost_here_);
-      for (const std::uint32_t i : lost_here_) lost_.push_back(place(begin + i));
-      keep_first(lost_);
-      for (std::uint64_t i = 0; i < count; ++i) {
-        sum += light_[i];
-        if ((begin + i + 1) % per_pixel != 0) continue;
-        const auto [x, y] = pixel((begin + i) / per_pixel);
-        film_.set(x, y, sum / static_cast<double>(per_pixel));
-        sum = Rgb{};
-      }
-    }
-    return tally_;
+  TileTaker(Shared& shared, std::size_t tile)
+      : shared_(shared),
+        world_(shared.world),
+        assignment_(shared.exposure.assignment()),
+        tile_(tile),
+        work_(shared.exposure.work_on(tile)) {
+    TileProgress progress = shared.exposure.progress(tile);
+    done_ = progress.done;
+    sum_ = SampleSum(work_.begun(done_, assignment_.range), progress.sums);
   }
 
-  [[nodiscard]] const std::vector<PixelSample>& lost() const { return lost_; }
+  /// Until the tile is complete, or `stop()` says so.
+  template <class Stop>
+  void take(const Stop& stop) {
+    while (done_ < work_.total() && !stop()) {
+      Stopwatch watch;
+      if (done_ < work_.samples) {
+        const std::uint64_t count = std::min(shared_.photons.size(), work_.samples - done_);
+        take_samples(count);
+        shared_.photons.took(count, watch.lap());
+      } else {
+        const std::uint64_t count = std::min(shared_.layer_pixels.size(), work_.total() - done_);
+        take_layer_pixels(count);
+        shared_.layer_pixels.took(count, watch.lap());
+      }
+    }
+  }
 
  private:
-  [[nodiscard]] std::pair<int, int> pixel(std::uint64_t index) const {
-    const auto width = static_cast<std::uint64_t>(tile_.width());
-    return {tile_.x0 + static_cast<int>(index % width), tile_.y0 + static_cast<int>(index / width)};
+  void take_samples(std::uint64_t count) {
+    Tally tally;
+    light_.assign(count, Rgb{});
+    lost_.clear();
+    lost_places_.clear();
+    carry_light(world_.space, world_.appearance, camera_photons(count), light_, shared_.engine,
+                tally, &lost_);
+    for (const std::uint32_t i : lost_) lost_places_.push_back(place(done_ + i));
+    keep_first(lost_places_);
+    for (std::uint64_t i = 0; i < count; ++i) {
+      sum_.add(light_[i]);
+      if ((done_ + i + 1) % work_.samples_each != 0) continue;
+      const auto [x, y] = work_.pixel((done_ + i) / work_.samples_each);
+      shared_.exposure.plate().set(x, y, sum_);
+      sum_.restart(assignment_.range.begin);
+    }
+    note(count, tally);
+  }
+
+  void take_layer_pixels(std::uint64_t count) {
+    const std::uint64_t first = work_.layered(done_);
+    for (std::uint64_t i = first; i < first + count; ++i) {
+      const auto [x, y] = work_.pixel(i);
+      take_layers(world_, x, y, assignment_.layers, shared_.exposure.plate().layers(x, y));
+    }
+    lost_places_.clear();
+    note(count, {});
+  }
+
+  void note(std::uint64_t count, const Tally& tally) {
+    done_ += count;
+    TileProgress progress{done_, {}};
+    if (!work_.begun(done_, assignment_.range).empty())
+      progress.sums.assign(sum_.nodes().begin(), sum_.nodes().end());
+    const bool told = shared_.progress && done_ == work_.total();
+    std::unique_lock<std::mutex> lock;
+    if (told) lock = std::unique_lock(shared_.telling);
+    const Standing standing =
+        shared_.exposure.note(tile_, std::move(progress), tally, lost_places_);
+    if (!told) return;
+    shared_.progress->tile_taken(work_.tile, shared_.exposure.plate().image(), assignment_.window);
+    shared_.progress->advanced(standing.pixels, assignment_.window.pixels(), standing.tally);
   }
 
   /// The camera sample of that number.
-  [[nodiscard]] PixelSample place(std::uint64_t index) const {
-    const auto per_pixel = static_cast<std::uint64_t>(world_.sampling.samples);
-    const auto [x, y] = pixel(index / per_pixel);
-    return {x, y, static_cast<std::uint32_t>(index % per_pixel)};
+  [[nodiscard]] PixelSample place(std::uint64_t number) const {
+    const auto [x, y] = work_.pixel(number / work_.samples_each);
+    return {x, y,
+            assignment_.range.begin + static_cast<std::uint32_t>(number % work_.samples_each)};
   }
 
-  [[nodiscard]] std::vector<Photon> camera_photons(std::uint64_t begin, std::uint64_t count) const {
+  [[nodiscard]] std::vector<Photon> camera_photons(std::uint64_t count) const {
     std::vector<Photon> photons(count);
     for (std::uint64_t i = 0; i < count; ++i) {
-      photons[i] = camera_photon(world_, place(begin + i));
+      photons[i] = camera_photon(world_, place(done_ + i));
       photons[i].sample = photons[i].slot = static_cast<std::uint32_t>(i);
     }
     return photons;
   }
 
+  Shared& shared_;
   const World& world_;
-  Window tile_;
-  Engine engine_;
-  Exposure& film_;
+  const Assignment& assignment_;
+  std::size_t tile_;
+  TileWork work_;
+  std::uint64_t done_ = 0;
+  SampleSum sum_;
   std::vector<Rgb> light_;
-  std::vector<std::uint32_t> lost_here_;
-  std::vector<PixelSample> lost_;
-  Tally tally_;
+  std::vector<std::uint32_t> lost_;
+  std::vector<PixelSample> lost_places_;
 };
+
+/// Empty channels of that many pixels for the layers.
+std::vector<Channel> empty_channels(const std::vector<Layer>& layers, std::size_t pixels) {
+  std::vector<Channel> channels;
+  for (const Layer layer : layers)
+    for (std::string& name : channel_names(layer))
+      channels.push_back({std::move(name), std::vector<float>(pixels)});
+  return channels;
+}
+
+/// Copies what is done of a tile.
+void copy_tile(const Exposure& exposure, std::size_t tile, std::uint64_t done,
+               RenderResult& result) {
+  const TileWork work = exposure.work_on(tile);
+  const Window& window = result.window;
+  const Plate& plate = exposure.plate();
+  for_first_pixels(work, work.lit(done), [&](int x, int y) {
+    const auto mean = plate.mean(x, y);
+    std::copy(mean.begin(), mean.end(), result.image.at(x - window.x0, y - window.y0));
+  });
+  for_first_pixels(work, work.layered(done), [&](int x, int y) {
+    const std::size_t at =
+        static_cast<std::size_t>(y - window.y0) * static_cast<std::size_t>(window.width()) +
+        static_cast<std::size_t>(x - window.x0);
+    const auto values = plate.layers(x, y);
+    for (std::size_t c = 0; c < values.size(); ++c) result.layers[c].values[at] = values[c];
+  });
+}
 
 }  // namespace
 
+Assignment assignment_of(const World& world, const RenderOptions& options) {
+  const Window film{0, 0, world.film.width, world.film.height};
+  const auto samples = static_cast<std::uint32_t>(world.sampling.samples);
+  return {film,           options.crop.value_or(film),
+          samples,        options.samples.value_or(SampleRange{0, samples}),
+          options.layers, options.tile_size};
+}
+
+void expose(const World& world, Exposure& exposure, const RenderOptions& options,
+            Progress* progress, const Cancellation* cancellation) {
+  Shared shared{world, exposure, options.engine, progress};
+  std::vector<std::size_t> left;
+  const Account account = exposure.account();
+  for (std::size_t i = 0; i < account.complete.size(); ++i)
+    if (!account.complete[i]) left.push_back(i);
+  const auto stop = [&] { return cancellation && cancellation->requested(); };
+  parallel_for(
+      left.size(), options.threads > 0 ? options.threads : available_threads(),
+      [&](std::size_t i) { TileTaker(shared, left[i]).take(stop); }, stop);
+}
+
+RenderResult result_of(const Exposure& exposure) {
+  const Account account = exposure.account();
+  const Assignment& assignment = exposure.assignment();
+  RenderResult result;
+  result.window = assignment.window;
+  result.samples = assignment.range;
+  result.image = Image(result.window.width(), result.window.height(), 3);
+  if (assignment.takes_layers())
+    result.layers = empty_channels(assignment.layers, result.window.pixels());
+  for (std::size_t i = 0; i < account.complete.size(); ++i)
+    if (account.complete[i]) copy_tile(exposure, i, exposure.work_on(i).total(), result);
+  for (const auto& [tile, progress] : account.begun)
+    copy_tile(exposure, tile, progress.done, result);
+  result.tally = account.tally;
+  result.lost = account.lost;
+  result.seconds = account.seconds;
+  const bool all = account.pixels == assignment.window.pixels();
+  result.completion = all ? Completion::complete : Completion::cancelled;
+  return result;
+}
+
 RenderResult render(const World& world, const RenderOptions& options, Progress* progress,
                     const Cancellation* cancellation) {
-  const auto start = std::chrono::steady_clock::now();
-  RenderResult result;
-  result.window = options.crop.value_or(Window{0, 0, world.film.width, world.film.height});
-  Exposure film(result.window);
-  const Tiling tiles(result.window, options.tile_size);
-  const int threads = options.threads > 0 ? options.threads : available_threads();
-
-  std::mutex guard;
-  std::size_t done = 0;
-  const auto work = [&](std::size_t i) {
-    const Window tile = tiles[i];
-    TileWork taking(world, tile, options.engine, film);
-    const Tally tally = taking.take();
-    const std::lock_guard lock(guard);
-    result.tally += tally;
-    result.lost.insert(result.lost.end(), taking.lost().begin(), taking.lost().end());
-    keep_first(result.lost);
-    done += tile.pixels();
-    if (!progress) return;
-    progress->tile_taken(tile, film.image(), result.window);
-    progress->advanced(done, result.window.pixels(), result.tally);
-  };
-  const auto stop = [&] { return cancellation && cancellation->requested(); };
-  const bool all = parallel_for(tiles.count(), threads, work, stop);
-
-  result.image = std::move(film).release();
-  result.completion = all ? Completion::complete : Completion::cancelled;
-  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return result;
+  Exposure exposure(assignment_of(world, options));
+  expose(world, exposure, options, progress, cancellation);
+  return result_of(exposure);
 }
 
 }  // namespace portalens

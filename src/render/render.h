@@ -4,12 +4,13 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/image.h"
+#include "io/image.h"
 #include "photon/engine.h"
-#include "render/camera_photon.h"
-#include "render/film.h"
+#include "render/exposure.h"
 #include "render/tally.h"
 #include "world/world.h"
 
@@ -20,6 +21,8 @@ struct RenderOptions {
   int tile_size = 32;  ///< pixels along a tile's side, >= 1
   Engine engine = Engine::automatic;
   std::optional<Window> crop;  ///< the part of the picture to take; it must lie within the film
+  std::optional<SampleRange> samples;  ///< those to take of each pixel's; by default all
+  std::vector<Layer> layers;           ///< to take besides; in the order of `Layer`, each once
 };
 
 /// Told how far a picture is, and asked whether to go on. Called by one thread at a time.
@@ -40,14 +43,13 @@ class Cancellation {
   [[nodiscard]] virtual bool requested() const = 0;
 };
 
-/// How many pixels with lost photons are remembered.
-inline constexpr std::size_t most_lost = 8;
-
 enum class Completion { complete, cancelled };
 
 struct RenderResult {
   Image image;  ///< of the window; linear R, G, B. Pixels not reached before a cancellation are 0
+  std::vector<Channel> layers;  ///< those asked for, likewise
   Window window;
+  SampleRange samples;
   Tally tally;
   /// The first sample of which a photon was lost, of each of the first few such pixels.
   std::vector<PixelSample> lost;
@@ -55,10 +57,23 @@ struct RenderResult {
   Completion completion = Completion::complete;
 };
 
-/// A pixel is the mean of its samples (box filter); a single sample lies in its centre. The picture
-/// is the same bits whatever the threads, the tiles and the window: a pixel depends on the world
-/// and on its own place alone.
+/// What the options ask of a world's picture.
+[[nodiscard]] Assignment assignment_of(const World& world, const RenderOptions& options);
+
+/// Goes on with an exposure until it is complete or cancelled. A pixel is the mean of its samples
+/// (box filter); a single sample lies in its centre. The picture is the same bits whatever the
+/// threads, the tiles, the window and the interruptions: a pixel depends on the world and on its
+/// own place alone. A cancellation is obeyed after some tenths of a second, within a tile; only
+/// where a single photon takes longer it waits for that.
+/// @param options  of which the threads and the engine are used
 /// @throws what working may (std::bad_alloc)
+void expose(const World& world, Exposure& exposure, const RenderOptions& options,
+            Progress* progress = nullptr, const Cancellation* cancellation = nullptr);
+
+/// What stands of an exposure, also while it goes on.
+[[nodiscard]] RenderResult result_of(const Exposure& exposure);
+
+/// Assignment, exposure and result in one.
 [[nodiscard]] RenderResult render(const World& world, const RenderOptions& options,
                                   Progress* progress = nullptr,
                                   const Cancellation* cancellation = nullptr);

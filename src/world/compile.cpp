@@ -118,12 +118,24 @@ Box extent_of(const Objects& objects) {
   return box;
 }
 
+/// @param digests  by canonical path
+std::vector<UsedFile> used_files(const std::filesystem::path& scene, const Digests& digests) {
+  std::error_code ignored;
+  const std::filesystem::path folder =
+      std::filesystem::weakly_canonical(scene.parent_path() / ".", ignored);
+  std::vector<UsedFile> files;
+  for (const auto& [path, content] : digests)
+    files.push_back({path.lexically_proximate(folder).string(), content});
+  return files;
+}
+
 }  // namespace
 
 World compile(const Scene& scene, const CompileOptions& options) {
   Faults faults = scene.faults;
   Names names;
-  ImageStore images(options.files, faults);
+  Digests digests;
+  ImageStore images(options.files, faults, digests);
   const ImageLoader load = images.loader(scene.file);
 
   const Physics physics = read_section(scene.physics, faults, Physics::from);
@@ -141,7 +153,7 @@ World compile(const Scene& scene, const CompileOptions& options) {
   });
 
   MaterialList materials(scene.materials, names, load, faults);
-  MeshStore meshes(scene.file, options.files, images, materials, faults);
+  MeshStore meshes(scene.file, options.files, images, materials, faults, digests);
   look.lights = read_lights(scene.lights, names, faults);
   Objects objects = read_objects(scene, {physics, names, materials, meshes}, faults);
   check_portal_gravity(scene, physics, objects, faults);
@@ -157,7 +169,15 @@ World compile(const Scene& scene, const CompileOptions& options) {
   look.bodies = std::move(objects.bodies);
   Space space(physics, max_crossings, std::move(objects.shapes), std::move(objects.portals),
               std::move(objects.masses));
-  World world{scene.file, std::move(space), std::move(look), camera, film, sampling, {}, {}};
+  World world{scene.file,
+              std::move(space),
+              std::move(look),
+              camera,
+              film,
+              sampling,
+              used_files(scene.file, digests),
+              {},
+              {}};
   world.warnings = warnings_about(world);
   world.remarks = remarks_about(world);
   return world;

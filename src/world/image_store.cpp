@@ -28,7 +28,7 @@ std::shared_ptr<const Image> ImageStore::load(const std::filesystem::path& file,
   if (!is_new) return place->second;
   std::optional<Image> image;
   if (bytes_ <= budget) {
-    image = read_image(*path, asked_at, *faults_);
+    image = read_image(*path, asked_at, *faults_, digests_);
     if (!image) return nullptr;
     bytes_ += image->pixels.size() * sizeof(float);
   }

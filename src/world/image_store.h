@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 
+#include "io/digest.h"
 #include "io/paths.h"
 #include "shading/texture.h"
 
@@ -13,8 +14,9 @@ namespace portalens {
 
 class ImageStore {
  public:
-  ImageStore(Containment containment, Faults& faults)
-      : containment_(containment), faults_(&faults) {}
+  /// @param digests  gets those of the files that are read
+  ImageStore(Containment containment, Faults& faults, Digests& digests)
+      : containment_(containment), faults_(&faults), digests_(&digests) {}
 
   /// A loader for the images that `file` names. Borrows the store.
   [[nodiscard]] ImageLoader loader(const std::filesystem::path& file);
@@ -25,6 +27,7 @@ class ImageStore {
 
   Containment containment_;
   Faults* faults_;
+  Digests* digests_;
   std::map<std::filesystem::path, std::shared_ptr<const Image>> images_;
   std::size_t bytes_ = 0;
 };

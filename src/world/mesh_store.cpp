@@ -33,7 +33,7 @@ const MeshStore::Stored& MeshStore::stored(const std::filesystem::path& path,
   Stored& entry = place->second;
   if (!is_new) return entry;
   const std::size_t before = faults_->size();
-  entry.file = read_mesh(path, asked_at, *faults_);
+  entry.file = read_mesh(path, asked_at, *faults_, digests_);
   if (entry.file.triangles.corners.empty()) {
     if (faults_->size() == before)
       faults_->add(asked_at, "the mesh has no faces", "name a file with at least one");

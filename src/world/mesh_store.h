@@ -25,13 +25,15 @@ struct LoadedMesh {
 class MeshStore {
  public:
   /// @param scene_file  which the meshes' names are relative to
+  /// @param digests     gets those of the files that are read
   MeshStore(std::filesystem::path scene_file, Containment containment, ImageStore& images,
-            MaterialList& materials, Faults& faults)
+            MaterialList& materials, Faults& faults, Digests& digests)
       : scene_file_(std::move(scene_file)),
         containment_(containment),
         images_(&images),
         materials_(&materials),
-        faults_(&faults) {}
+        faults_(&faults),
+        digests_(&digests) {}
 
   /// The mesh with the triangles of its file; nothing after a fault.
   [[nodiscard]] std::optional<LoadedMesh> load(const Mesh& mesh, const Location& asked_at);
@@ -51,6 +53,7 @@ class MeshStore {
   ImageStore* images_;
   MaterialList* materials_;
   Faults* faults_;
+  Digests* digests_;
   std::map<std::filesystem::path, Stored> files_;
   std::size_t triangles_ = 0;
 };

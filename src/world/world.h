@@ -23,6 +23,11 @@ struct Sampling {
   std::int64_t seed = 0;
 };
 
+/// A file that the scene names, relative to the scene's folder, as it was when it was read.
+struct UsedFile {
+  std::string name, digest;
+};
+
 struct World {
   std::filesystem::path file;
   Space space;
@@ -30,6 +35,7 @@ struct World {
   Camera camera;
   Film film;
   Sampling sampling;
+  std::vector<UsedFile> files;        ///< by name
   std::vector<std::string> warnings;  ///< what is probably not meant; `check` tells it
   std::vector<std::string> remarks;   ///< what is worth knowing; `check` tells that, too
 };

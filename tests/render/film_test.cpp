@@ -1,10 +1,12 @@
 /// \file
-/// Tiles cover a window once, and the film keeps what was set.
+/// Tiles cover a window once, and the plate keeps what was set.
 #include "render/film.h"
 
 #include <gtest/gtest.h>
 
 #include <vector>
+
+#include "render/exposure.h"
 
 namespace portalens {
 namespace {
@@ -26,12 +28,19 @@ TEST(Tiling, TilesCoverEveryPixelOnce) {
     }
 }
 
-TEST(Exposure, KeepsEachPixelAtItsPlaceInTheWindow) {
-  const Window window{10, 20, 13, 22};
-  Exposure film(window);
+TEST(Plate, KeepsEachPixelAtItsPlaceInTheWindow) {
+  Assignment assignment;
+  assignment.film = {0, 0, 100, 100};
+  assignment.window = {10, 20, 13, 22};
+  assignment.range = {0, 1};
+  Plate plate(assignment);
   for (int y = 20; y < 22; ++y)
-    for (int x = 10; x < 13; ++x) film.set(x, y, {1.0 * x, 1.0 * y, 0.5});
-  const Image image = std::move(film).release();
+    for (int x = 10; x < 13; ++x) {
+      SampleSum sum;
+      sum.add({1.0 * x, 1.0 * y, 0.5});
+      plate.set(x, y, sum);
+    }
+  const Image& image = plate.image();
   ASSERT_EQ(image.width, 3);
   ASSERT_EQ(image.height, 2);
   EXPECT_EQ(image.at(2, 1)[0], 12.0f);

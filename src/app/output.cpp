@@ -1,0 +1,61 @@
+#include "app/output.h"
+
+#include <fmt/format.h>
+
+#include <iostream>
+#include <iterator>
+#include <utility>
+
+#include "app/false_color.h"
+#include "app/report.h"
+#include "io/files.h"
+
+namespace portalens {
+
+bool is_part(const std::filesystem::path& file) { return file.extension() == piece_suffix; }
+
+void check_output(const std::filesystem::path& file, const Assignment& assignment) {
+  const auto refuse = [&](const std::string& problem, const std::string& remedy) {
+    throw SceneError({{Location{}, problem, remedy}});
+  };
+  if (is_part(file)) return check_replaceable(file);
+  check_writable(file);
+  if (!assignment.whole_pixels())
+    refuse(file.string() + " can't hold some samples of each pixel",
+           "name a .part file with -o, and merge it with the others");
+  if (!assignment.layers.empty() && file.extension() != ".exr")
+    refuse("--layers: " + file.string() + " can't hold layers", "name an .exr file with -o");
+}
+
+void write_picture(const std::filesystem::path& file, const RenderResult& result,
+                   const Provenance& provenance) {
+  std::vector<Channel> channels = color_channels(result.image);
+  channels.insert(channels.end(), result.layers.begin(), result.layers.end());
+  Metadata metadata = provenance.metadata;
+  Metadata more = result_metadata(result);
+  std::move(more.begin(), more.end(), std::back_inserter(metadata));
+  write_image(file, result.window.width(), result.window.height(), channels, metadata);
+}
+
+void write_output(const std::filesystem::path& file, const Exposure& exposure,
+                  const RenderResult& result, const Provenance& provenance) {
+  if (is_part(file))
+    replace_file(file, encoded_piece(provenance, exposure));
+  else
+    write_picture(file, result, provenance);
+}
+
+void tell(const RenderResult& result, const Provenance& provenance,
+          const std::filesystem::path& file, const Telling& telling) {
+  if (telling.json) {
+    std::cout << json_line(statistics_json(result, file)) << '\n';
+  } else if (!telling.quiet) {
+    std::cout << fmt::format("{}: {} x {}, {} samples a pixel, {:.2f} s; {}\n", file.string(),
+                             result.window.width(), result.window.height(), result.samples.count(),
+                             result.seconds, fates_text(result.tally));
+    if (telling.statistics) std::cout << statistics_text(result, provenance.scene_words);
+  }
+  if (!telling.quiet) std::cerr << complaint(result.tally);
+}
+
+}  // namespace portalens

@@ -1,0 +1,159 @@
+#include "app/render_options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <map>
+
+#include "app/choices.h"
+#include "app/shell_word.h"
+#include "render/layers.h"
+
+namespace portalens {
+namespace {
+
+/// An option that stands for a value of the scene.
+void add_override(CLI::App& command, RenderArguments& arguments, const std::string& option,
+                  const std::string& key, const std::string& meaning) {
+  command.add_option_function<int>(
+      option,
+      [&arguments, key](const int& value) {
+        arguments.overrides.emplace_back(key, std::to_string(value));
+      },
+      meaning + " (" + key + ")");
+}
+
+/// Which part of which picture.
+void add_picture_options(CLI::App& command, RenderArguments& arguments) {
+  command
+      .add_option("-o,--output", arguments.output,
+                  "Picture to write: .png, or .exr (linear, with all the settings), or .part (for "
+                  "portalens merge); by default the scene's name with .png, in the current folder")
+      ->type_name("FILE");
+  add_override(command, arguments, "--width", "film.width", "Width of the picture, pixels");
+  add_override(command, arguments, "--height", "film.height", "Height of the picture, pixels");
+  add_override(command, arguments, "--samples", "sampler.samples", "Camera samples a pixel");
+  add_crop_option(command, arguments.crop,
+                  "Take only the pixels X0 <= x < X1, Y0 <= y < Y1, from the top left");
+  command
+      .add_option("--samples-from", arguments.samples_from,
+                  "Take only the samples A <= sample < B of each pixel (a .part file)")
+      ->type_name("A");
+  command.add_option("--samples-to", arguments.samples_to, "See --samples-from")->type_name("B");
+  command
+      .add_option("--layers", arguments.layers,
+                  "Write these, too, beside the picture's R, G, B (an .exr file): " +
+                      fmt::format("{}", fmt::join(layer_names, ", ")))
+      ->delimiter(',')
+      ->check(CLI::IsMember(std::vector<std::string>(layer_names.begin(), layer_names.end())))
+      ->type_name("NAME,...");
+}
+
+void add_keeping_options(CLI::App& command, RenderArguments& arguments) {
+  command
+      .add_option("--checkpoint", arguments.checkpoint,
+                  "Write what stands to PICTURE.checkpoint so often; it is written, too, when the "
+                  "render is ended by INT or TERM, and on USR1")
+      ->check(CLI::Range(0.01, 1e9))
+      ->type_name("SECONDS");
+  CLI::Option* resume =
+      command.add_flag("--resume", arguments.resume, "Go on from PICTURE.checkpoint");
+  command
+      .add_flag("--restart", arguments.restart,
+                "Begin anew, and throw away a PICTURE.checkpoint that lies there")
+      ->excludes(resume);
+}
+
+void add_work_options(CLI::App& command, RenderArguments& arguments) {
+  command
+      .add_option(
+          "-t,--threads", arguments.options.threads,
+          "Threads; by default as many as the machine has. The picture does not depend on it")
+      ->check(CLI::Range(1, 1024));
+  command
+      .add_option("--display-server", arguments.display_server,
+                  "Show the picture in progress in tev, which listens at 127.0.0.1:14158; what is "
+                  "left out of HOST:PORT is that")
+      ->type_name("HOST:PORT");
+  command
+      .add_option("--tile", arguments.options.tile_size,
+                  "Pixels along the side of the squares that threads work on")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 4096));
+  command
+      .add_option("--engine", arguments.options.engine,
+                  "automatic: photons in lanes of floats where the scene allows it; scalar: one by "
+                  "one in double, the program's own standard")
+      ->transform(one_of(std::map<std::string, Engine>{{"automatic", Engine::automatic},
+                                                       {"scalar", Engine::scalar}}))
+      ->type_name("automatic|scalar");
+}
+
+/// The layers that --layers asks for, each once, in the order of `Layer`.
+std::vector<Layer> asked_layers(const std::vector<std::string>& names) {
+  std::vector<Layer> layers;
+  for (int i = 0; i < layer_count; ++i)
+    if (std::any_of(names.begin(), names.end(),
+                    [&](const std::string& name) { return name == layer_names[i]; }))
+      layers.push_back(static_cast<Layer>(i));
+  return layers;
+}
+
+SampleRange checked_samples(const RenderArguments& arguments, const World& world) {
+  const auto all = static_cast<std::uint32_t>(world.sampling.samples);
+  const SampleRange range{arguments.samples_from.value_or(0), arguments.samples_to.value_or(all)};
+  if (range.begin >= range.end || range.end > all)
+    throw SceneError({{Location{},
+                       fmt::format("--samples-from {} --samples-to {} are no samples of a pixel",
+                                   range.begin, range.end),
+                       fmt::format("0 <= A < B <= {} is needed (sampler.samples)", all)}});
+  return range;
+}
+
+}  // namespace
+
+void add_crop_option(CLI::App& command, std::vector<int>& crop, const std::string& meaning) {
+  command.add_option("--crop", crop, meaning)->expected(4)->type_name("X0 Y0 X1 Y1");
+}
+
+void add_render_options(CLI::App& command, RenderArguments& arguments) {
+  add_scene_options(command, arguments.scene);
+  add_picture_options(command, arguments);
+  add_keeping_options(command, arguments);
+  add_work_options(command, arguments);
+  command.add_flag("-q,--quiet", arguments.quiet, "Print nothing but faults");
+  command.add_flag("--stats", arguments.statistics, "Print what it took");
+  command.add_flag("--json", arguments.json, "Print what it took, as one JSON object");
+}
+
+Window checked_crop(const std::vector<int>& crop, const Window& film) {
+  const Window window{crop[0], crop[1], crop[2], crop[3]};
+  if (window.empty() || !film.holds(window))
+    throw SceneError({{Location{},
+                       fmt::format("--crop {} {} {} {} is no part of the picture", crop[0], crop[1],
+                                   crop[2], crop[3]),
+                       fmt::format("0 <= X0 < X1 <= {} and 0 <= Y0 < Y1 <= {} are needed",
+                                   film.width(), film.height())}});
+  return window;
+}
+
+RenderOptions asked_options(const RenderArguments& arguments, const World& world) {
+  RenderOptions options = arguments.options;
+  if (!arguments.crop.empty())
+    options.crop = checked_crop(arguments.crop, Window{0, 0, world.film.width, world.film.height});
+  options.samples = checked_samples(arguments, world);
+  options.layers = asked_layers(arguments.layers);
+  return options;
+}
+
+std::string scene_words(const RenderArguments& arguments) {
+  std::string words = shell_word(arguments.scene.file.string());
+  for (const std::string& setting : arguments.scene.settings)
+    words += " --set " + shell_word(setting);
+  for (const auto& [key, value] : arguments.overrides) words += " --set " + key + "=" + value;
+  if (arguments.scene.allow_outside_files) words += " --allow-outside-files";
+  return words;
+}
+
+}  // namespace portalens

@@ -1,0 +1,37 @@
+/// \file
+/// What decides a picture's bits, in words: two pieces of work belong to the same picture if they
+/// have the same fingerprint, and where they differ it says in what.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "photon/engine.h"
+#include "render/assignment.h"
+#include "scene/scene.h"
+#include "world/world.h"
+
+namespace portalens {
+
+/// Names and values, each name once.
+using Fingerprint = std::vector<std::pair<std::string, std::string>>;
+
+/// The program's version and sources, the kind of processor, the engine, every key of the scene and
+/// the digest of every file that it names. The objects of a large scene share one digest.
+/// @param scene  with all that was overridden in it, as `world` was compiled from it
+[[nodiscard]] Fingerprint fingerprint_of(const Scene& scene, const World& world, Engine engine);
+
+/// The part of the picture, as the options that ask for it.
+[[nodiscard]] Fingerprint fingerprint_of(const Assignment& assignment);
+
+/// One name whose values differ; "not set" where one side lacks it.
+struct Difference {
+  std::string name, before, now;
+};
+
+/// In the order of `before`, then what only `now` has.
+[[nodiscard]] std::vector<Difference> differences(const Fingerprint& before,
+                                                  const Fingerprint& now);
+
+}  // namespace portalens
