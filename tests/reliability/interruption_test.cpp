@@ -124,10 +124,11 @@ TEST_F(Interruption, AnEndAtAnyMomentKeepsTheWorkWithinSeconds) {
     const double seconds = seconds_since(start);
     slowest = std::max(slowest, seconds);
     EXPECT_LT(seconds, 5.0 * slowness());
-    if (code != 0) {
+    // One that comes when all is done may still end the program on its way out.
+    if (code != 0 && folder_.read("a.exr") != whole) {
       ++caught;
       EXPECT_EQ(code, 128 + signal) << folder_.read("said");
-      EXPECT_EQ(folder_.read("a.exr"), "the old picture");
+      EXPECT_TRUE(folder_.read("a.exr") == "the old picture");
       EXPECT_TRUE(has_checkpoint());
       Faults faults;
       EXPECT_TRUE(read_channels(folder_.path() / "a.unfinished.exr", {}, faults));
