@@ -59,8 +59,7 @@ class LaneStepper {
   LaneStepper(const LaneScene& scene, Lanes& lanes, int first)
       : scene_(scene), lanes_(lanes), first_(first) {}
 
-  /// Calls cost more here than what they would do.
-  [[gnu::flatten]] void step() {
+  void step() {
     const Mask live = read(lanes_.live) > R(0);
     if (!any(live)) return;
     const V x{read(lanes_.x), read(lanes_.y), read(lanes_.z)};
