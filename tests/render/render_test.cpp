@@ -7,72 +7,12 @@
 #include <cmath>
 
 #include "io/read_scene.h"
+#include "support/busy_scene.h"
 #include "support/scene_folder.h"
 #include "world/compile.h"
 
 namespace portalens {
 namespace {
-
-/// Something of everything: masses, a portal pair, a rough mirror, two lights, a checker.
-const std::string busy = R"(
-[camera]
-type = "perspective"
-position = [0.0, 1.5, 6.0]
-look_at = [0.0, 1.0, 0.0]
-fov = 50.0
-[film]
-width = 53
-height = 29
-[sampler]
-samples = 3
-seed = 5
-[physics]
-portal_gravity = "closest-point"
-min_force = 4.0
-tolerance = 1e-3
-[environment]
-color = [0.2, 0.3, 0.5]
-[[material]]
-name = "floor"
-diffuse = { checker = [[0.8, 0.8, 0.8], [0.1, 0.2, 0.1]], size = 0.5 }
-reflective = [0.2, 0.2, 0.2]
-roughness = 0.4
-[[material]]
-name = "red"
-diffuse = [0.7, 0.1, 0.1]
-[[material]]
-name = "lamp"
-emitted = [4.0, 4.0, 3.0]
-[[quad]]
-name = "ground"
-vertices = [[-8, 0, 8], [8, 0, 8], [8, 0, -8], [-8, 0, -8]]
-material = "floor"
-[[quad]]
-name = "ceiling"
-vertices = [[-1, 4, -1], [1, 4, -1], [1, 4, 1], [-1, 4, 1]]
-material = "lamp"
-[[sphere]]
-name = "ball"
-center = [1.2, 0.6, 0.5]
-radius = 0.6
-material = "red"
-[[mass]]
-name = "hole"
-center = [-0.8, 1.4, 0.0]
-mass = 200.0
-[[portal]]
-name = "blue"
-pair = "orange"
-vertices = [[-2.5, 0, -1], [-1, 0, -1], [-1, 2, -1], [-2.5, 2, -1]]
-tint = [0.8, 0.9, 1.0]
-[[portal]]
-name = "orange"
-pair = "blue"
-vertices = [[3, 0, 1.5], [3, 0, 0], [3, 2, 0], [3, 2, 1.5]]
-[[light]]
-position = [3.0, 5.0, 4.0]
-intensity = [20.0, 20.0, 20.0]
-)";
 
 World world_of(const std::string& text) {
   const SceneFolder folder;
@@ -89,7 +29,7 @@ RenderResult taken(const World& world, int threads, int tile,
 }
 
 TEST(Render, ThreadsAndTilesLeaveEveryBitAsItIs) {
-  const World world = world_of(busy);
+  const World world = world_of(test::busy_scene);
   const RenderResult reference = taken(world, 1, 32);
   for (const int threads : {1, 2, 3, 8})
     for (const int tile : {8, 16, 64}) {
@@ -103,7 +43,7 @@ TEST(Render, ThreadsAndTilesLeaveEveryBitAsItIs) {
 }
 
 TEST(Render, ACropIsThatPartOfTheWhole) {
-  const World world = world_of(busy);
+  const World world = world_of(test::busy_scene);
   const Image whole = taken(world, 2, 32).image;
   for (const Window& crop : {Window{0, 0, 1, 1}, Window{20, 5, 41, 23}, Window{52, 28, 53, 29}}) {
     const RenderResult part = taken(world, 2, 16, crop);
@@ -117,7 +57,7 @@ TEST(Render, ACropIsThatPartOfTheWhole) {
 }
 
 TEST(Render, EveryPhotonIsCountedUnderOneFate) {
-  const World world = world_of(busy);
+  const World world = world_of(test::busy_scene);
   const Tally tally = taken(world, 2, 32).tally;
   EXPECT_EQ(tally.samples, 53u * 29 * 3);
   EXPECT_GT(tally.photons, tally.samples) << "mirrors have offspring";
@@ -130,9 +70,10 @@ TEST(Render, EveryPhotonIsCountedUnderOneFate) {
 }
 
 TEST(Render, AnotherSeedIsAnotherPictureOfTheSameScene) {
-  std::string other = busy;
+  std::string other = test::busy_scene;
   other.replace(other.find("seed = 5"), 8, "seed = 6");
-  const Image a = taken(world_of(busy), 2, 32).image, b = taken(world_of(other), 2, 32).image;
+  const Image a = taken(world_of(test::busy_scene), 2, 32).image,
+              b = taken(world_of(other), 2, 32).image;
   EXPECT_NE(a.pixels, b.pixels);
   double sum_a = 0.0, sum_b = 0.0;
   for (const float value : a.pixels) sum_a += value;
@@ -247,7 +188,7 @@ class Counting : public Progress {
 };
 
 TEST(Render, ProgressIsToldOfEveryTileAndEndsWithTheWhole) {
-  const World world = world_of(busy);
+  const World world = world_of(test::busy_scene);
   Counting progress;
   RenderOptions options;
   options.threads = 2;
@@ -258,7 +199,7 @@ TEST(Render, ProgressIsToldOfEveryTileAndEndsWithTheWhole) {
 }
 
 TEST(Render, ACancelledPictureSaysSo) {
-  const World world = world_of(busy);
+  const World world = world_of(test::busy_scene);
   const StopAtOnce stop;
   const RenderResult result = render(world, {}, nullptr, &stop);
   EXPECT_EQ(result.completion, Completion::cancelled);
