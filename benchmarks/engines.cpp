@@ -1,219 +1,221 @@
-// How fast are the engines beside the paper's method, and how exact? Every engine's arrivals are
-// compared with a converged scalar run before its time counts. Times are of one thread, from camera
-// photons to arrivals; the reference runs on every eighth pixel each way, and is scaled.
+// How fast is the program beside the paper's method, and how exact? Every engine's arrivals are
+// compared with a converged scalar run, on 16,384 photons, before its time counts. Times are of one
+// thread, from the camera to the film: photons on their ways, shading, shadows, the sum of samples.
+// The reference runs on every eighth pixel each way, and is scaled.
 //
-//     bench_engines [--json] [--set key=value ...] [scene ...]
+//     bench_engines [--json | --markdown] [--size N] [--set key=value ...] [scene ...]
 //
 // by default the scenes in benchmarks/scenes. The paper's method knows `closest-point` alone; with
-// other couplings the ratios are to fixed steps of Euler's.
+// other couplings the reference is the scalar engine with Euler's steps.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <filesystem>
 #include <functional>
-#include <nlohmann/json.hpp>
-#include <numbers>
+#include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "io/read_scene.h"
+#include "oracle_digest.h"
 #include "photon/engine.h"
 #include "reference/paper_method.h"
-#include "world/compile.h"
+#include "reference_digest.h"
+#include "support/clock.h"
+#include "support/command.h"
+#include "support/errors.h"
+#include "support/picture.h"
+#include "support/subject.h"
 
-namespace portalens {
+namespace portalens::benchmarks {
 namespace {
 
-constexpr int side = 256;
-constexpr int stride = 8;
+constexpr int checked_side = 128;  ///< errors are of that number of photons, squared
+constexpr int every = 8;           ///< pixels of the reference
 constexpr double euler_step = 0.02;
-constexpr double converged_tolerance = 1e-8;
 
-/// Processor time of this thread, seconds.
-double thread_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
+using Travel = std::function<void(std::span<const Photon>, std::span<Arrival>)>;
 
-std::vector<Photon> camera_photons(const World& world, int every) {
-  std::vector<Photon> photons;
-  for (int y = every / 2; y < side; y += every)
-    for (int x = every / 2; x < side; x += every) {
-      const Ray ray = world.camera.ray(x + 0.5, y + 0.5, side, side);
-      Photon photon;
-      photon.position = ray.origin;
-      photon.direction = ray.direction;
-      photons.push_back(photon);
-    }
-  return photons;
-}
-
-struct Errors {
-  double median = 0, p99 = 0, p9999 = 0, most = 0;  ///< pixels
-  double mismatch = 0;                              ///< share that ends elsewhere
+/// One way of taking the picture, and what was found about it.
+struct Contestant {
+  std::string name;
+  Travel travel;
+  int every;                         ///< pixels it is timed on
+  std::function<void()> picture;     ///< takes them, from camera to film
+  std::vector<double> seconds{};     ///< of the whole picture, in each round
+  double photon_seconds = INFINITY;  ///< the least without shading and film
+  double steps = 0;                  ///< a photon
+  Errors errors{};
 };
 
-/// Errors where photons landed, in pixels: a miss divided by the length of the path and the angle
-/// of a pixel.
-Errors errors_of(const std::vector<Arrival>& arrivals, const std::vector<Arrival>& converged) {
-  const double pixel = 40.0 * std::numbers::pi / 180.0 / side;
-  std::vector<double> apart;
-  std::size_t unlike = 0;
-  for (std::size_t i = 0; i < arrivals.size(); ++i) {
-    const Arrival &a = arrivals[i], &b = converged[i];
-    if (a.fate != b.fate || a.object != b.object || a.crossings != b.crossings) {
-      ++unlike;
-    } else if (a.fate == Fate::escaped) {
-      apart.push_back(length(a.direction - b.direction) / pixel);
-    } else if (a.fate == Fate::hit) {
-      apart.push_back(length(a.position - b.position) / (b.length * pixel));
-    }
-  }
-  Errors errors;
-  errors.mismatch = static_cast<double>(unlike) / static_cast<double>(arrivals.size());
-  if (apart.empty()) return errors;
-  std::sort(apart.begin(), apart.end());
-  errors.median = apart[apart.size() / 2];
-  errors.p99 = apart[apart.size() * 99 / 100];
-  errors.p9999 = apart[apart.size() * 9999 / 10000];
-  errors.most = apart.back();
-  return errors;
-}
-
-struct Row {
-  std::string what;
-  double seconds = 0;  ///< for side² photons
-  double steps = 0;    ///< a photon
-  Errors errors;
-};
-
-using Advance = std::function<void(std::span<const Photon>, std::span<Arrival>)>;
-
-/// The best of `rounds` on `photons`, scaled to a whole picture; its errors on every `stride`-th.
-Row measure(const std::string& what, const Advance& advance, const std::vector<Photon>& photons,
-            const std::vector<Photon>& checked, const std::vector<Arrival>& converged, int rounds) {
-  Row row;
-  row.what = what;
-  std::vector<Arrival> arrivals(checked.size());
-  advance(checked, arrivals);
-  row.errors = errors_of(arrivals, converged);
-  for (const Arrival& arrival : arrivals) row.steps += arrival.steps;
-  row.steps /= static_cast<double>(arrivals.size());
-  arrivals.resize(photons.size());
-  double best = INFINITY;
-  for (int round = 0; round < rounds; ++round) {
-    const double start = thread_seconds();
-    advance(photons, arrivals);
-    best = std::min(best, thread_seconds() - start);
-  }
-  row.seconds = best * (side * side / static_cast<double>(photons.size()));
-  return row;
-}
-
-void report(const std::string& scene, const std::vector<Row>& rows, bool json) {
-  if (json) {
-    for (const Row& row : rows)
-      fmt::print("{}\n", nlohmann::json{{"benchmark", scene + "/" + row.what},
-                                        {"ratio", rows[0].seconds / row.seconds},
-                                        {"seconds", row.seconds},
-                                        {"steps", row.steps},
-                                        {"error_p50_px", row.errors.median},
-                                        {"error_p99_px", row.errors.p99},
-                                        {"error_p9999_px", row.errors.p9999},
-                                        {"error_max_px", row.errors.most},
-                                        {"mismatch", row.errors.mismatch}}
-                             .dump());
-    return;
-  }
-  fmt::print("{}, {} x {} photons\n", scene, side, side);
-  fmt::print("  {:<22}{:>10}{:>9}{:>9}{:>11}{:>10}{:>10}{:>10}{:>11}\n", "", "seconds", "ratio",
-             "steps", "p50 px", "p99 px", "p99.99 px", "max px", "mismatch");
-  for (const Row& row : rows)
-    fmt::print("  {:<22}{:>10.4f}{:>9.1f}{:>9.1f}{:>11.2g}{:>10.2g}{:>10.2g}{:>10.2g}{:>10.3f}%\n",
-               row.what, row.seconds, rows[0].seconds / row.seconds, row.steps, row.errors.median,
-               row.errors.p99, row.errors.p9999, row.errors.most, 100.0 * row.errors.mismatch);
-}
-
-Scene changed(Scene scene, const std::vector<std::string>& settings) {
-  Faults faults;
-  for (const std::string& setting : settings) override_value(scene, setting, faults);
-  faults.raise();
-  return scene;
-}
-
-/// The scene's space with another tolerance or integrator.
-World with(const Scene& scene, const std::vector<std::string>& settings) {
-  return compile(changed(scene, settings));
-}
-
-void run(const std::filesystem::path& file, const std::vector<std::string>& settings, bool json) {
-  const Scene scene = changed(read_scene(file), settings);
-  const World world = compile(scene);
-  const World exact = with(scene, {fmt::format("physics.tolerance={}", converged_tolerance),
-                                   "physics.max_steps=10000000"});
-  const World euler =
-      with(scene, {"physics.integrator=euler", fmt::format("physics.step={}", euler_step)});
-  const auto all = camera_photons(world, 1), checked = camera_photons(world, stride);
-  std::vector<Arrival> converged(checked.size());
-  advance(exact.space, checked, converged, Engine::scalar);
-
-  const auto engine = [](const World& of, Engine which) -> Advance {
-    return [&of, which](std::span<const Photon> photons, std::span<Arrival> arrivals) {
-      advance(of.space, photons, arrivals, which);
-    };
+Travel engine_of(const Subject& subject, Engine engine) {
+  return [&space = subject.world.space, engine](std::span<const Photon> photons,
+                                                std::span<Arrival> arrivals) {
+    advance(space, photons, arrivals, engine);
   };
-  std::vector<Row> rows;
-  const std::string& coupling = world.space.physics.portal_gravity;
-  if (coupling == "none" || coupling == "closest-point") {
+}
+
+/// The paper's method, or Euler's steps where it doesn't know the coupling.
+Contestant reference_for(const Subject& subject, const Subject& euler) {
+  Contestant reference;
+  reference.every = every;
+  const Physics& physics = subject.world.space.physics;
+  if (physics.portal_gravity == "none" || physics.portal_gravity == "closest-point") {
     const int depth =
-        coupling == "none" ? 0 : static_cast<int>(world.space.physics.portal_gravity_depth);
-    const reference::PaperMethod paper(world.space, euler_step, depth);
-    rows.push_back(measure(
-        "paper's method",
-        [&](std::span<const Photon> photons, std::span<Arrival> arrivals) {
-          for (std::size_t i = 0; i < photons.size(); ++i) arrivals[i] = paper.advance(photons[i]);
-        },
-        checked, checked, converged, 1));
+        physics.portal_gravity == "none" ? 0 : static_cast<int>(physics.portal_gravity_depth);
+    const auto paper =
+        std::make_shared<const reference::PaperMethod>(subject.world.space, euler_step, depth);
+    reference.name = "the paper's method";
+    reference.travel = [paper](std::span<const Photon> photons, std::span<Arrival> arrivals) {
+      for (std::size_t i = 0; i < photons.size(); ++i) arrivals[i] = paper->advance(photons[i]);
+    };
+  } else {
+    reference.name = "Euler's steps, scalar";
+    reference.travel = engine_of(euler, Engine::scalar);
   }
-  rows.push_back(
-      measure("euler 0.02", engine(euler, Engine::scalar), checked, checked, converged, 1));
-  rows.push_back(
-      measure("adaptive, scalar", engine(world, Engine::scalar), checked, checked, converged, 3));
-  if (world.space.lanes)
-    rows.push_back(
-        measure("adaptive, lanes", engine(world, Engine::automatic), all, checked, converged, 5));
-  const std::string name = file.stem().string();
-  report(settings.empty() ? name : fmt::format("{} {}", name, fmt::join(settings, " ")), rows,
-         json);
+  reference.picture = [&subject, travel = reference.travel] {
+    (void)take_pixels(subject.world, every, travel);
+  };
+  return reference;
+}
+
+std::vector<Contestant> contestants(const Subject& subject, const Subject& euler) {
+  std::vector<Contestant> all{reference_for(subject, euler)};
+  const Travel scalar = engine_of(subject, Engine::scalar);
+  all.push_back({"scalar", scalar, every,
+                 [&subject, scalar] { (void)take_pixels(subject.world, every, scalar); }});
+  all.push_back({subject.world.space.lanes ? "lanes" : "render, without lanes",
+                 engine_of(subject, Engine::automatic), 1,
+                 [&subject] { (void)take_picture(subject.world); }});
+  return all;
+}
+
+/// Arrivals of the reference are kept: they take long, and only their time is wanted anew.
+std::vector<Arrival> arrivals_of(const Contestant& one, bool is_reference, const Subject& subject,
+                                 const std::vector<Photon>& photons, const ArrivalCache& cache) {
+  if (is_reference)
+    return cache.arrivals(recipe_of(subject) + "reference " PORTALENS_REFERENCE_DIGEST " " +
+                              one.name + fmt::format(" {}", euler_step),
+                          photons, one.travel);
+  std::vector<Arrival> arrivals(photons.size());
+  one.travel(photons, arrivals);
+  return arrivals;
+}
+
+void check(std::vector<Contestant>& all, const Subject& subject, const ArrivalCache& cache) {
+  const World& world = subject.world;
+  const int step = std::max(1, std::min(world.film.width, world.film.height) / checked_side);
+  const auto photons = camera_photons(world, step);
+  const auto exact = converged_arrivals(subject, photons, cache);
+  for (Contestant& one : all) {
+    const auto arrivals = arrivals_of(one, &one == all.data(), subject, photons, cache);
+    one.errors = errors_of(arrivals, exact, pixel_angle(world));
+    for (const Arrival& arrival : arrivals) one.steps += arrival.steps;
+    one.steps /= static_cast<double>(arrivals.size());
+  }
+}
+
+/// In rounds, so that all have the same share of the machine's good and bad times.
+void time(std::vector<Contestant>& all, const World& world, int rounds) {
+  const auto pixels = static_cast<double>(world.film.width) * world.film.height;
+  for (int round = 0; round < rounds; ++round)
+    for (Contestant& one : all) {
+      const auto photons = camera_photons(world, one.every);
+      const double scale = pixels / static_cast<double>(photons.size());
+      const int repeats = one.every == 1 ? 3 : 1;  // a short time is the best of several
+      one.seconds.push_back(scale * least_time_of(repeats, one.picture));
+      std::vector<Arrival> arrivals(photons.size());
+      one.photon_seconds =
+          std::min(one.photon_seconds,
+                   scale * least_time_of(repeats, [&] { one.travel(photons, arrivals); }));
+    }
+}
+
+double least(const std::vector<double>& values) {
+  return *std::min_element(values.begin(), values.end());
+}
+
+/// By how much a ratio moves from round to round: half of its range over its middle.
+double noise_of(const Contestant& reference, const Contestant& one) {
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < one.seconds.size(); ++i)
+    ratios.push_back(reference.seconds[i] / one.seconds[i]);
+  const auto [low, high] = std::minmax_element(ratios.begin(), ratios.end());
+  return (*high - *low) / (*high + *low);
+}
+
+void measure(const std::filesystem::path& file, const Settings& settings, int side,
+             const Request& request) {
+  Settings all_settings = square_film(side);
+  all_settings.insert(all_settings.end(), settings.begin(), settings.end());
+  const Subject subject = read_subject(file, all_settings);
+  const Subject euler =
+      subject.with({"physics.integrator=euler", fmt::format("physics.step={}", euler_step)});
+  std::vector<Contestant> all = contestants(subject, euler);
+  check(all, subject, request.cache());
+  time(all, subject.world, side > 256 ? 1 : 3);
+
+  std::string name = fmt::format("{} {}²", file.stem().string(), side);
+  for (const std::string& setting : settings) name += " " + setting;
+  Table table(name, {{"", ""},
+                     {"seconds", "seconds", "{:.4f}"},
+                     {"ratio", "ratio", "{:.1f}"},
+                     {"noise", "noise", "±{:.0f} %", 100.0},
+                     {"photons alone", "ratio_photons", "{:.1f}"},
+                     {"steps", "steps", "{:.1f}"},
+                     {"median px", "error_p50_px", "{:.2g}"},
+                     {"p99 px", "error_p99_px", "{:.2g}"},
+                     {"p99.99 px", "error_p9999_px", "{:.2g}"},
+                     {"max px", "error_max_px", "{:.2g}"},
+                     {"mismatch", "mismatch", "{:.3f} %", 100.0}});
+  const Contestant& reference = all.front();
+  for (const Contestant& one : all) {
+    const Errors& errors = one.errors;
+    table.add(name + "/" + one.name,
+              {one.name, least(one.seconds), least(reference.seconds) / least(one.seconds),
+               noise_of(reference, one), reference.photon_seconds / one.photon_seconds, one.steps,
+               errors.median, errors.p99, errors.p9999, errors.most, errors.mismatch});
+  }
+  table.print(request.style);
+}
+
+/// All scenes small, and figure 7 large.
+void measure_all(const Settings& settings, const Request& request) {
+  std::vector<std::filesystem::path> scenes;
+  for (const auto& entry : std::filesystem::directory_iterator(PORTALENS_BENCHMARK_SCENES))
+    if (entry.path().extension() == ".toml") scenes.push_back(entry.path());
+  std::sort(scenes.begin(), scenes.end());
+  for (const auto& scene : scenes) measure(scene, settings, 256, request);
+  measure(std::filesystem::path(PORTALENS_BENCHMARK_SCENES) / "figure-7.toml", settings, 1024,
+          request);
 }
 
 }  // namespace
-}  // namespace portalens
+}  // namespace portalens::benchmarks
 
 int main(int count, char** words) {
-  bool json = false;
-  std::vector<std::filesystem::path> scenes;
-  std::vector<std::string> settings;
-  for (int i = 1; i < count; ++i) {
-    if (std::string(words[i]) == "--json")
-      json = true;
-    else if (std::string(words[i]) == "--set" && i + 1 < count)
-      settings.emplace_back(words[++i]);
-    else
-      scenes.emplace_back(words[i]);
-  }
-  if (scenes.empty())
-    for (const auto& entry : std::filesystem::directory_iterator(PORTALENS_BENCHMARK_SCENES))
-      if (entry.path().extension() == ".toml") scenes.push_back(entry.path());
-  std::sort(scenes.begin(), scenes.end());
-  try {
-    for (const auto& scene : scenes) portalens::run(scene, settings, json);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "{}\n", error.what());
-    return 2;
-  }
-  return 0;
+  namespace benchmarks = portalens::benchmarks;
+  benchmarks::Command command(
+      "How fast is the program beside the paper's method, and how exact? By default on all of "
+      "benchmarks/scenes at 256², and figure 7 at 1024².");
+  int side = 256;
+  benchmarks::Settings settings;
+  std::vector<std::string> scenes;
+  command.options()
+      .add_option("--size", side, "pixels along the picture's sides")
+      ->check(CLI::Range(8, 8192));
+  command.options()
+      .add_option("--set", settings, "section.key=value, as in TOML")
+      ->allow_extra_args(false);
+  command.options().add_option("scenes", scenes, "scene files");
+  return command.run(count, words, [&](const benchmarks::Request& request) {
+    if (scenes.empty()) {
+      benchmarks::measure_all(settings, request);
+    } else {
+      for (const std::string& scene : scenes) benchmarks::measure(scene, settings, side, request);
+    }
+    return 0;
+  });
 }

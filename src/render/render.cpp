@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <mutex>
+#include <span>
 #include <utility>
 
 #include "render/pace.h"
@@ -65,8 +66,11 @@ class TileTaker {
     light_.assign(count, Rgb{});
     lost_.clear();
     lost_places_.clear();
-    carry_light(world_.space, world_.appearance, camera_photons(count), light_, shared_.engine,
-                tally, &lost_);
+    const auto travel = [&](std::span<const Photon> photons, std::span<Arrival> arrivals) {
+      advance(world_.space, photons, arrivals, shared_.engine);
+    };
+    carry_light(world_.space, world_.appearance, camera_photons(count), light_, travel, tally,
+                &lost_);
     for (const std::uint32_t i : lost_) lost_places_.push_back(place(done_ + i));
     keep_first(lost_places_);
     for (std::uint64_t i = 0; i < count; ++i) {

@@ -12,7 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "photon/engine.h"
+#include "photon/photon.h"
+#include "photon/space.h"
 #include "render/tally.h"
 #include "shading/shade.h"
 
@@ -43,11 +44,13 @@ class Stopwatch {
 /// added in order of wave, and within one first what its photon saw, then its shadow queries in
 /// their order; so its sum does not depend on which other photons travel along.
 /// In the end each is made presentable; those that were not are counted.
-/// @param lost  if given, gets the sample of each photon that is lost, and of light not a number
+/// @param travel  advances photons to their arrivals: called as `travel(photons, arrivals)`
+/// @param lost    if given, gets the sample of each photon that is lost, and of light not a number
 /// @pre every photon's sample < light.size(), and no two photons have the same
-inline void carry_light(const Space& space, const Appearance& appearance, std::vector<Photon> wave,
-                        std::span<Rgb> light, Engine engine, Tally& tally,
-                        std::vector<std::uint32_t>* lost = nullptr) {
+template <class Travel>
+void carry_light(const Space& space, const Appearance& appearance, std::vector<Photon> wave,
+                 std::span<Rgb> light, const Travel& travel, Tally& tally,
+                 std::vector<std::uint32_t>* lost = nullptr) {
   constexpr std::size_t most_at_once = std::size_t{1} << 16;
   const std::size_t each = std::max<std::size_t>(1, most_shadow_queries(space, appearance));
   const std::size_t slice = std::max<std::size_t>(1, most_at_once / each);
@@ -61,7 +64,7 @@ inline void carry_light(const Space& space, const Appearance& appearance, std::v
   while (!wave.empty()) {
     arrivals.assign(wave.size(), Arrival{});
     Stopwatch watch;
-    advance(space, wave, arrivals, engine);
+    travel(std::span<const Photon>(wave), std::span<Arrival>(arrivals));
     tally.advancing += watch.lap();
     for (const Arrival& arrival : arrivals) tally.count(arrival);
     if (lost)

@@ -1,0 +1,26 @@
+/// \file
+/// How far photons land from where they should.
+#pragma once
+
+#include <span>
+
+#include "photon/photon.h"
+#include "world/world.h"
+
+namespace portalens::benchmarks {
+
+struct Errors {
+  double median = 0, p99 = 0, p9999 = 0, most = 0;  ///< pixels
+  double mismatch = 0;  ///< share that has another fate, object, or number of crossings
+};
+
+/// A hit's miss in pixels is its distance divided by the length of the path and the angle of a
+/// pixel; that of an escaped photon the angle between the directions, in pixels.
+/// @pre as many arrivals on both sides
+[[nodiscard]] Errors errors_of(std::span<const Arrival> arrivals, std::span<const Arrival> exact,
+                               double pixel);
+
+/// The angle between two pixels in the middle of the film, radians.
+[[nodiscard]] double pixel_angle(const World& world);
+
+}  // namespace portalens::benchmarks
