@@ -114,6 +114,7 @@ void check(std::vector<Contestant>& all, const Subject& subject, const ArrivalCa
     one.errors = errors_of(arrivals, exact, pixel_angle(world));
     for (const Arrival& arrival : arrivals) one.steps += arrival.steps;
     one.steps /= static_cast<double>(arrivals.size());
+    demand_sound(one.errors, one.name + " of " + subject.scene.file.string());
   }
 }
 

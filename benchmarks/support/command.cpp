@@ -26,6 +26,7 @@ int Command::run(int count, char** words, const std::function<int(const Request&
   request.style = json ? Style::json : markdown ? Style::markdown : Style::text;
   request.folder = folder;
   try {
+    std::filesystem::create_directories(request.folder);
     return run(request);
   } catch (const SceneError& error) {
     fmt::print(stderr, "{}\n", error.what());

@@ -1,8 +1,12 @@
 #include "support/errors.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
 #include <vector>
+
+#include "core/error.h"
 
 namespace portalens::benchmarks {
 
@@ -29,6 +33,13 @@ Errors errors_of(std::span<const Arrival> arrivals, std::span<const Arrival> exa
   errors.p9999 = apart[apart.size() * 9999 / 10000];
   errors.most = apart.back();
   return errors;
+}
+
+void demand_sound(const Errors& errors, const std::string& what) {
+  if (errors.mismatch <= 0.01 && errors.median <= 0.1 && errors.p99 <= 1.0) return;
+  throw WorkError(
+      fmt::format("{} is wrong and was not timed: mismatch {:.3g}, median {:.3g} px, p99 {:.3g} px",
+                  what, errors.mismatch, errors.median, errors.p99));
 }
 
 double pixel_angle(const World& world) {

@@ -36,7 +36,6 @@ Subject read_subject(const std::filesystem::path& file, const Settings& settings
 }
 
 Subject generated_subject(const std::filesystem::path& file, const std::string& toml) {
-  std::filesystem::create_directories(file.parent_path());
   replace_file(file, toml);
   return read_subject(file, {});
 }
