@@ -89,7 +89,7 @@ int measure(int triangles, const Request& request) {
                 light = scene_with(1e-12, mesh, request);
 
   const double pixel = pixel_angle(hole.world);
-  const auto photons = camera_photons(hole.world, 4);
+  const auto photons = camera_photons(hole.world, 8);
   const auto flying = arrivals_of(straight, photons);
   const Errors straight_errors =
       errors_of(flying, converged_arrivals(straight, photons, request.cache()), pixel);

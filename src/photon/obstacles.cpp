@@ -36,11 +36,13 @@ std::optional<Encounter> Obstacles::in_piece(const Curve& curve, const Piece& pi
   const Vec3d along = piece.x1 - piece.x0;
   const double chord_length = length(along);
   if (!(chord_length > 0.0)) return std::nullopt;
-  if (sagitta > 0.0 && !surfaces_.near(chord, sagitta) && !portals_.near(chord, sagitta))
+  // Halving ends where rounding makes it pointless, whatever was asked; and what the chord crosses
+  // may seem to be as far off.
+  const double finest = 1e-13 * (length(piece.x0) + chord_length);
+  const double close = std::fmax(sagitta, finest);
+  if (sagitta > 0.0 && !surfaces_.near(chord, close) && !portals_.near(chord, close))
     return std::nullopt;
 
-  // Halving ends where rounding makes it pointless, whatever was asked.
-  const double finest = 1e-13 * (length(piece.x0) + chord_length);
   if (sagitta <= std::fmax(flatness, finest)) {
     const auto found =
         first(Ray{piece.x0, along / chord_length}, chord_length, start.after(piece.s0));

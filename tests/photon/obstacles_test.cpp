@@ -71,6 +71,19 @@ TEST_P(ClosedRoom, KeepsEveryBentPathAndNeverMeetsAWallTwice) {
 
 INSTANTIATE_TEST_SUITE_P(NearAndFar, ClosedRoom, testing::Values(0.0, 1e5));
 
+TEST(Obstacles, APathThatIsBentLessThanRoundingStillMeetsTheWall) {
+  for (const double gm : {1e-3, 1e-8, 1e-12, 1e-15}) {
+    const Physics physics = physics_with(1e-4, gm / 3000.0);  // it acts in all of the room
+    const Space space =
+        space_with(physics, {mass_at({1.3, 0.7, -0.4}, gm, physics)}, room({0.5, -1, 2}, 7.0));
+    Random random(5);
+    for (int i = 0; i < scaled(3000); ++i) {
+      const Arrival arrival = advance_one(space, photon_at(random.point(4.0), random.direction()));
+      ASSERT_EQ(arrival.fate, Fate::hit) << "GM " << gm << ", photon " << i;
+    }
+  }
+}
+
 TEST(Obstacles, AHitLiesOnTheCurveAndOnTheSurface) {
   const Physics physics = physics_with(1e-8);
   Random random(5);
