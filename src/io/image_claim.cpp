@@ -163,15 +163,17 @@ std::optional<std::size_t> exr_type_size(std::string_view type) {
 
 /// That an attribute is as long as what its type makes the decoder read of it.
 void check_exr_length(std::string_view type, Cursor value) {
-  const std::size_t size = value.left();
+  const auto size = static_cast<std::int64_t>(value.left());
   bool sound = true;
   if (const auto fixed = exr_type_size(type)) {
-    sound = size == *fixed;
+    sound = value.left() == *fixed;
   } else if (type == "preview") {
     const std::int64_t width = value.little(), height = value.little();
-    sound = width >= 0 && height >= 0 && 8 + 4 * width * height == static_cast<std::int64_t>(size);
+    const auto fits = [&](std::int64_t side) { return side >= 0 && side <= size; };
+    sound = fits(width) && fits(height) && 8 + 4 * width * height == size;
   } else if (type == "idmanifest") {
-    sound = value.little() <= 1032 * static_cast<std::int64_t>(size);  // what it unpacks to
+    const std::int64_t unpacked = value.little();
+    sound = unpacked >= 0 && unpacked <= 1032 * size;
   } else if (type == "stringvector") {
     while (value.left() > 0)
       value.take(static_cast<std::size_t>(std::max<std::int64_t>(0, value.little())));
