@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/progress_bar.h"
+#include "core/words.h"
 
 namespace portalens {
 namespace {
@@ -70,8 +71,8 @@ std::string statistics_text(const RenderResult& result, const std::string& scene
                    rounded_count(per(tally.steps, result.seconds))));
   if (!result.lost.empty()) line("lost first", "");
   for (const PixelSample& at : result.lost)
-    text += fmt::format("    portalens trace {} --pixel {} {} --sample {}\n", scene, at.x, at.y,
-                        at.sample);
+    text += fmt::format("    portalens trace {} --pixel {} {} --sample {}\n", harmless(scene), at.x,
+                        at.y, at.sample);
   return text;
 }
 

@@ -4,6 +4,8 @@
 #include <tuple>
 #include <utility>
 
+#include "core/words.h"
+
 namespace portalens {
 namespace {
 
@@ -12,16 +14,6 @@ constexpr std::size_t most_told = 1000;  // nobody reads more
 const std::string& file_of(const Location& where) {
   static const std::string command_line = "command line";
   return where.file ? *where.file : command_line;
-}
-
-/// Without what would move a terminal's cursor, or worse: names and bytes of a stranger's file end
-/// up in messages.
-std::string harmless(std::string text) {
-  for (char& letter : text) {
-    const auto code = static_cast<unsigned char>(letter);
-    if (code < 0x20 || code == 0x7f) letter = letter == '\n' ? ' ' : '?';
-  }
-  return text;
 }
 
 std::string joined(const std::vector<Fault>& faults) {

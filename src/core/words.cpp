@@ -172,16 +172,25 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return above[b.size()];
 }
 
+bool is_control(char letter) {
+  const auto code = static_cast<unsigned char>(letter);
+  return code < 0x20 || code == 0x7f;
+}
+
 }  // namespace
 
 std::string in_quotes(std::string_view word) {
   std::string result = "'";
-  for (const char letter : word.substr(0, longest_quote)) {
-    const auto code = static_cast<unsigned char>(letter);
-    result += code < 0x20 || code == 0x7f ? '?' : letter;
-  }
+  for (const char letter : word.substr(0, longest_quote))
+    result += is_control(letter) ? '?' : letter;
   if (word.size() > longest_quote) result += "...";
   return result + "'";
+}
+
+std::string harmless(std::string text) {
+  for (char& letter : text)
+    if (is_control(letter)) letter = letter == '\n' ? ' ' : '?';
+  return text;
 }
 
 std::string listed(const std::vector<std::string>& words) {

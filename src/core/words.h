@@ -11,6 +11,10 @@ namespace portalens {
 /// `'word'`, safe to print: control characters become `?`, a long word is cut short.
 [[nodiscard]] std::string in_quotes(std::string_view word);
 
+/// Without what would move a terminal's cursor, or worse: names and bytes of a stranger's file end
+/// up in messages. A line's end becomes a blank, other control characters `?`.
+[[nodiscard]] std::string harmless(std::string text);
+
 /// `a, b, c`; a long list is cut short.
 [[nodiscard]] std::string listed(const std::vector<std::string>& words);
 

@@ -15,26 +15,10 @@
 #include <string_view>
 
 #include "core/error.h"
-#include "io/image.h"
 #include "render/exposure.h"
-#include "render/fingerprint.h"
+#include "render/piece_head.h"
 
 namespace portalens {
-
-/// Where a piece comes from.
-struct Provenance {
-  Fingerprint fingerprint;  ///< of scene, program and processor
-  Metadata metadata;        ///< what the file of the whole picture tells of its scene
-  std::string scene_words;  ///< the scene and its settings, as words of a command line
-};
-
-/// What a piece's file says before the pixels.
-struct PieceHead {
-  Provenance provenance;
-  Assignment assignment;
-  Account account;              ///< sums of begun pixels are with the pixels
-  std::uint64_t body_size = 0;  ///< bytes, of the pixels
-};
 
 /// The suffix of a picture's finished part.
 inline constexpr std::string_view piece_suffix = ".part";

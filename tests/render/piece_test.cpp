@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <limits>
 
 #include "math/random.h"
 #include "render/merge.h"
@@ -215,6 +216,55 @@ TEST(Piece, EveryChangedByteIsNoticed) {
   }
   EXPECT_TRUE(refused(bytes + "x"));
   EXPECT_TRUE(refused(""));
+}
+
+/// What is wrong with a piece, or nothing.
+std::string refusal(const Provenance& of, const Exposure& exposure) {
+  try {
+    (void)PieceFile("a.part", encoded_piece(of, exposure)).exposure();
+  } catch (const SceneError& error) {
+    return to_string(error.faults().front());
+  }
+  return "";
+}
+
+TEST(Piece, TheWordsOfAStrangersPieceAreNoCommand) {
+  const auto exposure = begun(part_options(16), 4);
+  Provenance of = provenance;
+  for (const char* words :
+       {"", "busy.toml --set physics.c=2", R"('it'\''s; a b.toml' --set 'camera.up=[0, 1, 0]')"}) {
+    of.scene_words = words;
+    EXPECT_EQ(refusal(of, *exposure), "") << words;
+  }
+  for (const char* words : {"a.toml; rm x", "a.toml\nrm x", "$(rm x)", "`rm x`", "'a.toml",
+                            R"(a\ b)", R"(a.toml\)", "a > b", "a & b", "a | b"}) {
+    of.scene_words = words;
+    EXPECT_NE(refusal(of, *exposure).find("its words are not those of a command"),
+              std::string::npos)
+        << words;
+  }
+}
+
+TEST(Piece, LayersThatAreNotFiniteAreRefused) {
+  const auto exposure = begun(part_options(16));
+  exposure->plate().layers(1, 1)[0] = std::numeric_limits<float>::infinity();
+  EXPECT_NE(refusal(provenance, *exposure).find("not a number"), std::string::npos);
+}
+
+TEST(Piece, SumsBeyondWhatSamplesCanGiveAreRefused) {
+  for (const double light : {1e45, -1e45, 1e308}) {
+    Exposure exposure(assignment_of(busy_world(), part_options(64, std::nullopt, {{1, 3}})));
+    const TileWork work = exposure.work_on(0);
+    Tally tally;
+    tally.samples = work.samples;
+    SampleSum sum(1);
+    sum.add({light, 0, 0});
+    sum.add({0, 0, 0});
+    for_first_pixels(work, work.lit(work.total()),
+                     [&](int x, int y) { exposure.plate().set(x, y, sum); });
+    exposure.note(0, {work.total(), {}}, tally, {});
+    EXPECT_NE(refusal(provenance, exposure).find("not a number"), std::string::npos) << light;
+  }
 }
 
 }  // namespace
