@@ -1,7 +1,8 @@
 /// \file
 /// Hands files to a fuzz target: no fuzzer, no clang. Replays what was once found, and with one
-/// file looks into a single crash.
+/// file looks into a single crash. Tells which took longest.
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -33,13 +34,22 @@ std::vector<fs::path> files_of(int count, char** names) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  using Clock = std::chrono::steady_clock;
   const std::vector<fs::path> files = files_of(argc - 1, argv + 1);
+  Clock::duration longest{};
+  std::string slowest;
   for (const fs::path& file : files) {
     std::ifstream stream(file, std::ios::binary);
     const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
     std::fprintf(stderr, "%s\n", file.c_str());  // the last one named is the one that crashed
+    const auto start = Clock::now();
     LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+    const auto took = Clock::now() - start;
+    if (took <= longest) continue;
+    longest = took;
+    slowest = file.string();
   }
-  std::printf("%zu files replayed\n", files.size());
+  std::printf("%zu files replayed; %.2f s for the slowest, %s\n", files.size(),
+              std::chrono::duration<double>(longest).count(), slowest.c_str());
   return files.empty() ? 1 : 0;
 }
