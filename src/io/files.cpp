@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstddef>
 #include <cstring>
 #include <new>
@@ -45,15 +46,47 @@ class Descriptor {
   int number_;
 };
 
+fs::path folder_of(const fs::path& file) {
+  return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+constexpr std::string_view temporary_prefix = ".portalens-", temporary_suffix = ".tmp";
+
+/// Whether a name is one that `Temporary` gives: `.portalens-PROCESS-NUMBER.tmp`.
+bool is_temporary(std::string_view name) {
+  constexpr std::size_t around = temporary_prefix.size() + temporary_suffix.size();
+  if (name.size() <= around || name.substr(0, temporary_prefix.size()) != temporary_prefix ||
+      name.substr(name.size() - temporary_suffix.size()) != temporary_suffix)
+    return false;
+  const std::string_view numbers = name.substr(temporary_prefix.size(), name.size() - around);
+  return numbers.find_first_not_of("0123456789-") == numbers.npos;
+}
+
+/// Removes the temporary files of programs that were killed. Nobody writes for an hour without a
+/// byte: it is age that tells, since a folder may be shared by machines that know nothing of each
+/// other's programs. What can't be removed stays.
+void remove_forgotten(const fs::path& folder) {
+  std::error_code error;
+  const auto now = fs::file_time_type::clock::now();
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    std::error_code one;
+    if (!is_temporary(entry->path().filename().string()) ||
+        !fs::is_regular_file(entry->symlink_status(one)))
+      continue;
+    const auto written = fs::last_write_time(entry->path(), one);
+    if (!one && now - written > std::chrono::hours(1)) fs::remove(entry->path(), one);
+  }
+}
+
 /// A new file of its own name in a folder, removed again unless it was renamed away.
 class Temporary {
  public:
   explicit Temporary(const fs::path& target) : target_(target) {
-    fs::path folder = target.parent_path();
-    if (folder.empty()) folder = ".";
+    const fs::path folder = folder_of(target);
     for (int attempt = 0; attempt < 1000; ++attempt) {
-      path_ = folder /
-              (".portalens-" + std::to_string(::getpid()) + "-" + std::to_string(attempt) + ".tmp");
+      path_ = folder / (std::string(temporary_prefix) + std::to_string(::getpid()) + "-" +
+                        std::to_string(attempt) + std::string(temporary_suffix));
       number_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0666);
       if (number_ >= 0) return;
       if (errno != EEXIST) give_up(target, cause(errno));
@@ -112,9 +145,7 @@ void refuse_what_is_no_file(const fs::path& file) {
 }
 
 void flush_folder(const fs::path& file) {
-  fs::path folder = file.parent_path();
-  if (folder.empty()) folder = ".";
-  const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  const Descriptor opened(::open(folder_of(file).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   // Some file systems can't flush a folder and say EINVAL: the file itself is safe by then.
   if (opened.open() && ::fsync(opened.number()) != 0 && errno != EINVAL && errno != ENOTSUP) {
     give_up(file, cause(errno));
@@ -217,6 +248,23 @@ std::optional<std::string> read_file(const fs::path& file, std::uint64_t limit,
   }
 }
 
+namespace {
+
+/// Whether the file's bytes are these; a piece at a time, for they may take much of the memory.
+bool holds(const fs::path& file, std::string_view bytes) {
+  try {
+    const RegularFile opened(file);
+    if (opened.size() != bytes.size()) return false;
+    for (std::size_t at = 0; at < bytes.size(); at += piece)
+      if (opened.read(at, piece) != bytes.substr(at, piece)) return false;
+    return true;
+  } catch (const SceneError&) {
+    return false;
+  }
+}
+
+}  // namespace
+
 void replace_file(const fs::path& file, std::string_view bytes) {
   const fs::path target = behind_links(file);
   refuse_what_is_no_file(target);
@@ -224,14 +272,13 @@ void replace_file(const fs::path& file, std::string_view bytes) {
   temporary.write(bytes);
   temporary.rename();
   flush_folder(target);
-  Faults faults;
-  const auto back = read_file(target, bytes.size(), {}, faults);
-  if (!back || *back != bytes) give_up(file, "what was written did not come back");
+  if (!holds(target, bytes)) give_up(file, "what was written did not come back");
 }
 
 void check_replaceable(const fs::path& file) {
   const fs::path target = behind_links(file);
   refuse_what_is_no_file(target);
+  remove_forgotten(folder_of(target));
   const Temporary trial(target);
 }
 

@@ -45,7 +45,8 @@ class RegularFile {
 /// @throws WorkError with the path and the cause; the old file then still stands
 void replace_file(const std::filesystem::path& file, std::string_view bytes);
 
-/// Tries what `replace_file` will do, short of replacing anything.
+/// Tries what `replace_file` will do, short of replacing anything; and removes the temporary files
+/// beside it that programs left there when they were killed, an hour ago or longer.
 /// @throws WorkError with the path and the cause
 void check_replaceable(const std::filesystem::path& file);
 

@@ -110,11 +110,6 @@ auto told(const std::string& name, const Work& work) {
   }
 }
 
-std::string with_digest(std::string bytes) {
-  bytes += digest(bytes);
-  return bytes;
-}
-
 /// The bytes before their digest.
 std::string_view proven(std::string_view bytes, const char* problem) {
   require_of_piece(bytes.size() >= digest_size, problem);
@@ -129,22 +124,24 @@ std::string encoded_piece(const Provenance& provenance, const Exposure& exposure
   const Account account = exposure.account();
   const Assignment& assignment = exposure.assignment();
   const std::string head = encoded_head(provenance, assignment, account);
-  ByteWriter preamble;
-  preamble.raw(magic);
-  preamble.number(layout_version);
-  preamble.number(static_cast<std::uint32_t>(head.size()));
-  preamble.raw(head);
+  ByteWriter writer;  // of all, since sums may take much of the memory
+  writer.reserve(preamble_size + head.size() + body_size(assignment, account) + 2 * digest_size);
+  writer.raw(magic);
+  writer.number(layout_version);
+  writer.number(static_cast<std::uint32_t>(head.size()));
+  writer.raw(head);
+  writer.raw(digest(writer.bytes()));
 
-  ByteWriter body;
-  body.reserve(body_size(assignment, account) + digest_size);
+  const std::size_t body = writer.bytes().size();
   for (std::size_t i = 0; i < account.complete.size(); ++i) {
     const auto begun = account.begun.find(i);
     if (account.complete[i])
-      write_tile(body, exposure, i, {exposure.work_on(i).total(), {}});
+      write_tile(writer, exposure, i, {exposure.work_on(i).total(), {}});
     else if (begun != account.begun.end())
-      write_tile(body, exposure, i, begun->second);
+      write_tile(writer, exposure, i, begun->second);
   }
-  return with_digest(std::move(preamble).release()) + with_digest(std::move(body).release());
+  writer.raw(digest(std::string_view(writer.bytes()).substr(body)));
+  return std::move(writer).release();
 }
 
 PieceFile::PieceFile(const std::filesystem::path& file)

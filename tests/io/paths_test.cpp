@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <chrono>
+#include <vector>
+
 #include "io/files.h"
 #include "support/temporary_folder.h"
 
@@ -81,6 +84,26 @@ TEST_F(PathsTest, AFileIsReplacedAsAWholeAndNothingElseIsLeft) {
   EXPECT_EQ(TemporaryFolder::read(file), bytes);
   const auto entries = std::filesystem::directory_iterator(folder_.path() / "out");
   EXPECT_EQ(std::distance(begin(entries), end(entries)), 1);
+}
+
+TEST_F(PathsTest, WhatKilledProgramsLeftIsRemovedLaterAndNothingElse) {
+  const auto file = folder_.write("out/a.bin", "old");
+  const auto name = [&](const std::string& of) { return folder_.path() / "out" / of; };
+  const auto long_ago = std::filesystem::file_time_type::clock::now() - std::chrono::hours(2);
+  const std::vector<std::string> others = {".portalens-1-0.tmp.png", ".portalens-.tmp",
+                                           ".portalens-mine.tmp", "portalens-1-0.tmp"};
+  for (const std::string& other : others) folder_.write("out/" + other, "x");
+  for (const char* left : {".portalens-123-0.tmp", ".portalens-9-17.tmp"})
+    folder_.write(std::string("out/") + left, "half a pic");
+  for (const auto& entry : std::filesystem::directory_iterator(folder_.path() / "out"))
+    std::filesystem::last_write_time(entry.path(), long_ago);
+  folder_.write("out/.portalens-124-0.tmp", "of one who still writes");
+  check_replaceable(file);
+  EXPECT_FALSE(exists(name(".portalens-123-0.tmp")));
+  EXPECT_FALSE(exists(name(".portalens-9-17.tmp")));
+  EXPECT_TRUE(exists(name(".portalens-124-0.tmp")));
+  EXPECT_TRUE(exists(file));
+  for (const std::string& other : others) EXPECT_TRUE(exists(name(other))) << other;
 }
 
 TEST_F(PathsTest, ALinkIsFollowedWhenItsFileIsReplaced) {

@@ -33,13 +33,18 @@ double estimated(const SceneFolder& folder) {
 }
 
 /// The most resident memory that a run of the program takes, bytes.
-double taken(const SceneFolder& folder, const std::string& picture) {
-  const std::string scene = (folder.path() / "scene.toml").string();
-  const std::string target = (folder.path() / picture).string();
+double taken(const SceneFolder& folder, const std::string& picture,
+             const std::vector<std::string>& options = {}) {
+  std::vector<std::string> words = {"portalens", "render",
+                                    "-q",        (folder.path() / "scene.toml").string(),
+                                    "-o",        (folder.path() / picture).string()};
+  words.insert(words.end(), options.begin(), options.end());
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
   const pid_t child = ::fork();
   if (child == 0) {
-    ::execl(PORTALENS_PROGRAM, "portalens", "render", "-q", scene.c_str(), "-o", target.c_str(),
-            static_cast<char*>(nullptr));
+    ::execv(PORTALENS_PROGRAM, arguments.data());
     ::_exit(127);
   }
   int status = 0;
@@ -80,6 +85,24 @@ TEST(Memory, TheEstimateIsWithinReachOfWhatIsTaken) {
   folder.write("sheet.obj", sheet(300));
   folder.write("scene.toml", scene_of(16, 16, "[[mesh]]\nfile = \"sheet.obj\"\n"));
   expect_near(folder, "mesh.png");
+}
+
+TEST(Memory, TheEstimateCountsTheSumsOfSamples) {
+  if (sanitized) GTEST_SKIP() << "a sanitizer takes memory of its own";
+  const SceneFolder folder;
+  folder.write("scene.toml", scene_of(700, 700));
+  // The samples 1 to 15 of 16 are six nodes of their tree.
+  const std::vector<std::string> options = {"--samples", "16",           "--samples-from",
+                                            "1",         "--samples-to", "15"};
+  std::vector<std::string> words = {"render", "--stats", "scene.toml", "-o", "a.part"};
+  words.insert(words.end(), options.begin(), options.end());
+  const std::string said = run_portalens(folder.path(), words).errors;
+  const std::size_t at = said.find("about ");
+  ASSERT_NE(at, std::string::npos) << said;
+  const double expected = std::stod(said.substr(at + 6)) * (1 << 20);
+  const double found = taken(folder, "b.part", options);
+  EXPECT_LT(found, 1.1 * expected) << said;
+  EXPECT_GT(found, expected / 2.0) << said;
 }
 
 TEST(Memory, APictureThatDoesNotFitIsRefusedWithAWayOut) {
