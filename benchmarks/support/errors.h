@@ -22,7 +22,7 @@ struct Errors {
                                double pixel);
 
 /// A benchmark does not time what is wrong: throws unless fates agree but for a hundredth, and half
-/// of the photons land within a tenth of a pixel, and 99 of 100 within one.
+/// of the photons land within half a pixel, and 99 of 100 within five.
 /// @throws WorkError with what was checked and how wrong it is
 void demand_sound(const Errors& errors, const std::string& what);
 
