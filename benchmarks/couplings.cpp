@@ -1,22 +1,26 @@
 // What does gravity through portals cost, how far is each fast way from what it stands for, and how
-// much work does each way do on a closed lap? Prints a table, or JSON lines with --json. Costs are
-// ratios to one pull of one mass, timed in the same run; each coupling is checked before it is
-// timed.
+// much work does each way do on a closed lap? Costs are ratios to one pull of one mass, timed in
+// the same run; each coupling is checked before it is timed.
+//
+//     bench_couplings [--json | --markdown]
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <optional>
+#include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "core/error.h"
 #include "gravity/attraction.h"
 #include "gravity/coupling.h"
 #include "math/random.h"
+#include "support/clock.h"
+#include "support/command.h"
 
-namespace portalens {
+namespace portalens::benchmarks {
 namespace {
 
 struct Stage {
@@ -223,16 +227,13 @@ Verdict check(const PortalMassCoupling& coupling, const Stage& stage, int depth,
 
 /// Nanoseconds of one call, the least of several rounds.
 template <class F>
-double time_of(F call, const std::vector<Vec3d>& at) {
-  double least = 1e300, sum = 0.0;
-  for (int round = 0; round < 12; ++round) {
-    const auto start = std::chrono::steady_clock::now();
+double nanoseconds_of(F call, const std::vector<Vec3d>& at) {
+  double sum = 0.0;
+  const double seconds = least_time_of(12, [&] {
     for (const Vec3d& x : at) sum += call(x);
-    const std::chrono::duration<double, std::nano> taken = std::chrono::steady_clock::now() - start;
-    least = std::min(least, taken.count() / static_cast<double>(at.size()));
-  }
+  });
   // The sum is used, so that the calls are made.
-  return std::isnan(sum) ? 0.0 : least;
+  return std::isnan(sum) ? 0.0 : 1e9 * seconds / static_cast<double>(at.size());
 }
 
 /// Work of direct attraction and coupling, falling on the axis from the ceiling to the floor.
@@ -247,75 +248,55 @@ double work_of_lap(const Stage& stage, const C& coupling) {
   return sum * corridor_height / cells;
 }
 
-struct Row {
-  std::string_view coupling;
-  int depth;
-  double nanoseconds, ratio, signature_ratio, lap;
-  Verdict verdict;
-};
-
-void print(const Row& row, bool json) {
-  if (json)
-    std::printf(
-        "{\"coupling\": \"%.*s\", \"depth\": %d, \"ns\": %.4g, \"masses\": %.4g, "
-        "\"signature_masses\": %.4g, \"checked_against\": \"%s\", \"error\": %.3g, "
-        "\"work_per_lap\": %.6f}\n",
-        static_cast<int>(row.coupling.size()), row.coupling.data(), row.depth, row.nanoseconds,
-        row.ratio, row.signature_ratio, row.verdict.against.c_str(), row.verdict.error, row.lap);
-  else
-    std::printf("%-14.*s %5d %9.1f %9.1f %9.2g from %-20s %9.4f\n",
-                static_cast<int>(row.coupling.size()), row.coupling.data(), row.depth, row.ratio,
-                row.signature_ratio, row.verdict.error, row.verdict.against.c_str(), row.lap);
-}
-
 template <class C>
-bool measure(const C& coupling, const Stage& stage, int depth, double one_mass, bool json) {
+void measure(const C& coupling, const Stage& stage, int depth, double one_mass, Table& table) {
   const std::vector<Vec3d> at = places(4000);
   const Verdict verdict = check(coupling, stage, depth, at);
-  if (!(verdict.error <= verdict.allowed)) {
-    std::fprintf(stderr, "%.*s at depth %d is %g from %s, more than %g\n",
-                 static_cast<int>(C::name.size()), C::name.data(), depth, verdict.error,
-                 verdict.against.c_str(), verdict.allowed);
-    return false;
-  }
-  const double pull = time_of([&](Vec3d x) { return coupling.pull(x, x).acceleration.x; }, at);
+  if (!(verdict.error <= verdict.allowed))
+    throw WorkError(
+        fmt::format("{} at depth {} is {:.3g} from {}, more than {:.3g}, and was not timed",
+                    C::name, depth, verdict.error, verdict.against, verdict.allowed));
+  const double pull =
+      nanoseconds_of([&](Vec3d x) { return coupling.pull(x, x).acceleration.x; }, at);
   const double signature =
-      time_of([&](Vec3d x) { return static_cast<double>(coupling.signature(x)); }, at);
+      nanoseconds_of([&](Vec3d x) { return static_cast<double>(coupling.signature(x)); }, at);
   const Stage lap_stage = corridor();
-  const double lap = work_of_lap(lap_stage, C(lap_stage.input(depth)));
-  print({C::name, depth, pull, pull / one_mass, signature / one_mass, lap, verdict}, json);
-  return true;
+  table.add(fmt::format("couplings/{} {}", C::name, depth),
+            {std::string(C::name), static_cast<double>(depth), 1e-9 * pull, pull / one_mass,
+             signature / one_mass, verdict.against, verdict.error,
+             work_of_lap(lap_stage, C(lap_stage.input(depth)))});
 }
 
-int run(bool json) {
+int run(const Request& request) {
   const Stage stage = figure_7();
   Stage lone = stage;
   lone.masses[0].influence = 1e300;
-  const double one_mass = time_of([&](Vec3d x) { return direct(lone, x).x; }, places(4000));
-  if (!json)
-    std::printf("one mass: %.2f ns\n%-14s %5s %9s %9s %9s %-25s %9s\n", one_mass, "coupling",
-                "depth", "pull", "signature", "error", "", "lap");
-  bool good = true;
+  const double one_mass = nanoseconds_of([&](Vec3d x) { return direct(lone, x).x; }, places(4000));
+  Table table(fmt::format("one pull through portals, beside one of a mass ({:.2f} ns)", one_mass),
+              {{"", "coupling"},
+               {"depth", "depth", "{:.0f}"},
+               {"ns", "seconds", "{:.1f}", 1e9},
+               {"masses", "ratio", "{:.1f}"},
+               {"signature", "signature_ratio", "{:.1f}"},
+               {"checked against", "checked_against"},
+               {"error", "error", "{:.2g}"},
+               {"work of a lap", "work_of_a_lap", "{:.4f}"}});
   for (const std::string_view name : coupling_names())
     for (int depth = 1; depth <= 4; ++depth) {
-      const Coupling coupling = make_coupling(name, stage.input(depth));
-      good =
-          std::visit([&](const auto& made) { return measure(made, stage, depth, one_mass, json); },
-                     coupling) &&
-          good;
+      std::visit([&](const auto& made) { measure(made, stage, depth, one_mass, table); },
+                 make_coupling(name, stage.input(depth)));
       if (name == NoCoupling::name || name == PortalMassCoupling::name) break;
     }
-  return good ? 0 : 1;
+  table.print(request.style);
+  return 0;
 }
 
 }  // namespace
-}  // namespace portalens
+}  // namespace portalens::benchmarks
 
-int main(int count, char** arguments) {
-  const bool json = count == 2 && std::string_view(arguments[1]) == "--json";
-  if (count > 1 && !json) {
-    std::fprintf(stderr, "usage: %s [--json]\n", arguments[0]);
-    return 2;
-  }
-  return portalens::run(json);
+int main(int count, char** words) {
+  return portalens::benchmarks::Command(
+             "What does gravity through portals cost, how far is each fast way from what it stands "
+             "for, and how much work does each do on a closed lap?")
+      .run(count, words, portalens::benchmarks::run);
 }
