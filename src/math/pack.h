@@ -84,9 +84,9 @@ struct Pair {
     return {inverse_fourth_root_of(x.a), inverse_fourth_root_of(x.b)};
   }
   friend Pair abs(Pair x) { return {xsimd::abs(x.a), xsimd::abs(x.b)}; }
-  // min and max by comparison: the instructions differ between sets in how they treat NaN.
-  friend Pair min(Pair x, Pair y) { return select(x < y, x, y); }
-  friend Pair max(Pair x, Pair y) { return select(x > y, x, y); }
+  /// y where either is no number, with every instruction set.
+  friend Pair min(Pair x, Pair y) { return {xsimd::min(x.a, y.a), xsimd::min(x.b, y.b)}; }
+  friend Pair max(Pair x, Pair y) { return {xsimd::max(x.a, y.a), xsimd::max(x.b, y.b)}; }
 };
 
 }  // namespace portalens

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "photon/advance.h"
-#include "photon/nystrom.h"
+#include "photon/radau.h"
 #include "photon/space.h"
 
 namespace portalens {
@@ -21,7 +21,7 @@ class LaneDriver {
       : space_(space),
         plan_(plan),
         step_(step),
-        integrator_(Nystrom::from({space.physics.step, space.physics.tolerance})),
+        integrator_(Radau::from({space.physics.step, space.physics.tolerance})),
         scalar_(space, integrator_, coupling),
         photons_(photons),
         arrivals_(arrivals) {}
@@ -176,8 +176,8 @@ class LaneDriver {
   const Space& space_;
   const LanePlan& plan_;
   LaneStep step_;
-  Nystrom integrator_;
-  Tracer<Nystrom, C> scalar_;
+  Radau integrator_;
+  Tracer<Radau, C> scalar_;
   std::span<const Photon> photons_;
   std::span<Arrival> arrivals_;
   Lanes lanes_;

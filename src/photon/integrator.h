@@ -18,12 +18,12 @@
 #include <variant>
 
 #include "photon/euler.h"
-#include "photon/nystrom.h"
+#include "photon/radau.h"
 #include "photon/rk4.h"
 
 namespace portalens {
 
-using Integrator = std::variant<Nystrom, Rk4, Euler>;
+using Integrator = std::variant<Radau, Rk4, Euler>;
 
 template <class Variant>
 struct IntegratorList;

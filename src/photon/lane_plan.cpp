@@ -6,7 +6,7 @@
 
 #include "photon/lane_couplings.h"
 #include "photon/lane_shapes.h"
-#include "photon/nystrom.h"
+#include "photon/radau.h"
 #include "photon/space.h"
 
 namespace portalens {
@@ -130,7 +130,7 @@ double radius_about(const Space& space, Vec3d center) {
 
 std::unique_ptr<const LanePlan> plan_lanes(const Space& space) {
   const Physics& physics = space.physics;
-  if (physics.integrator != Nystrom::name || physics.tolerance < finest_tolerance ||
+  if (physics.integrator != Radau::name || physics.tolerance < finest_tolerance ||
       space.unbounded || space.masses.size() > most_lane_masses)
     return nullptr;
   auto plan = std::make_unique<LanePlan>();
@@ -142,7 +142,7 @@ std::unique_ptr<const LanePlan> plan_lanes(const Space& space) {
   if (!add_coupling(space, *plan)) return nullptr;
   add_surfaces(space, plan->center, scene);
 
-  const Nystrom step = Nystrom::from({physics.step, physics.tolerance});
+  const Radau step = Radau::from({physics.step, physics.tolerance});
   scene.stiffness_weight = static_cast<float>(step.stiffness_weight);
   scene.nearness_weight = static_cast<float>(step.nearness_weight);
   scene.overshoot = static_cast<float>(1e-6 * space.extent);

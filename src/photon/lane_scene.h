@@ -117,7 +117,7 @@ struct LaneBox {
 struct LaneScene {
   int mass_count, gate_count, map_count, entrance_count, way_count, portal_count, polygon_count,
       sphere_count, box_count;
-  float stiffness_weight, nearness_weight;  ///< of the step, see Nystrom
+  float stiffness_weight, nearness_weight;  ///< of the step, see Radau
   float ahead;         ///< the place that decides what acts lies this far ahead
   float overshoot;     ///< a step ends this far past a boundary
   float farthest;      ///< no step in the field is longer

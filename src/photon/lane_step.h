@@ -5,35 +5,11 @@
 #include "photon/lane_coupled.h"
 #include "photon/lane_field.h"
 #include "photon/lane_graviton_map.h"
+#include "photon/lane_path.h"
 #include "photon/lane_scene.h"
 #include "photon/lane_shortest_path.h"
-#include "photon/nystrom.h"
 
 namespace portalens {
-
-/// Bounds the length of a vector from above, to within a factor of √3.
-template <class R>
-R span(Vec3<R> v) {
-  return abs(v.x) + abs(v.y) + abs(v.z);
-}
-
-/// The step's path as a cubic in the share u of it, 0 to 1.
-template <class R>
-struct LaneCubic {
-  Vec3<R> c0, c1, c2, c3;
-  R h;
-  R stray;  ///< how far the curve can be from the straight way along its first direction
-
-  LaneCubic(Vec3<R> x0, Vec3<R> t0, Vec3<R> x1, Vec3<R> t1, R length)
-      : c0(x0), c1(t0 * length), h(length) {
-    const Vec3<R> d = x1 - x0 - c1, e = (t1 - t0) * length;
-    c2 = d * R(3) - e;
-    c3 = e - d * R(2);
-    stray = span(c2) + span(c3);
-  }
-  [[nodiscard]] Vec3<R> position(R u) const { return c0 + (c1 + (c2 + c3 * u) * u) * u; }
-  [[nodiscard]] Vec3<R> velocity(R u) const { return c1 + (c2 * R(2) + c3 * (R(3) * u)) * u; }
-};
 
 /// The earliest event of a step so far.
 template <class R>
@@ -74,18 +50,20 @@ class LaneStepper {
     const R border = field.boundary(x, t, bend, most);
     const R h = min(most, border + R(scene_.overshoot));
     const auto acceleration = [&](V place) { return field.acceleration(place); };
-    const StateOf<R> end = Nystrom::step(acceleration, StateOf<R>{x, t}, start.acceleration, h).end;
+    const StateOf<R> here{x, t};
+    const Bends<R> bends = Radau::bends(acceleration, here, start.acceleration, h);
+    const StateOf<R> end = Radau::end(here, bends, h);
 
-    const LaneCubic<R> cubic(x, t, end.position, end.direction, h);
+    const LanePath<R> path(here, bends, h);
     LaneFinding<R> found;
     R doubtful = select(
         flies & (span(x) > R(F::sees_borders_far_off ? scene_.flight_limit : -1.0f)), R(1), R(0));
-    find_horizons(cubic, field, found);
-    find_portals(cubic, found);
-    find_polygons(cubic, end, found, doubtful);
-    find_spheres(cubic, found);
+    find_horizons(path, field, found);
+    find_portals(path, end, found);
+    find_polygons(path, end, found, doubtful);
+    find_spheres(path, found);
     const R clear = read(lanes_.clear) - h;
-    find_boxes(cubic, clear, doubtful);
+    find_boxes(path, end, clear, doubtful);
 
     const Mask consults = live & (doubtful > R(0));
     const Mask ends = (found.share <= R(1)) & live & !consults;
@@ -100,8 +78,8 @@ class LaneStepper {
       const R u = select(ends, found.share, R(1));
       length = length * u;
       angle = angle * u;
-      x1 = choose(ends, cubic.position(u), x1);
-      t1 = choose(ends, normalize(cubic.velocity(u)), t1);
+      x1 = choose(ends, path.place.at(u), x1);
+      t1 = choose(ends, normalize(path.place.slope(u)), t1);
     }
     write(lanes_.x, stays, x.x, x1.x);
     write(lanes_.y, stays, x.y, x1.y);
@@ -109,12 +87,12 @@ class LaneStepper {
     write(lanes_.tx, stays, t.x, t1.x);
     write(lanes_.ty, stays, t.y, t1.y);
     write(lanes_.tz, stays, t.z, t1.z);
-    const R path = add(lanes_.length, stays, length);
+    const R travelled = add(lanes_.length, stays, length);
     const R turning = add(lanes_.turning, stays, angle);
     const R steps = add(lanes_.steps, stays, R(1));
     write(lanes_.clear, stays, read(lanes_.clear), clear);
     write(lanes_.departed, stays, read(lanes_.departed), R(-1));
-    const Mask within = (path <= R(scene_.max_length)) & (turning <= R(scene_.max_turning)) &
+    const Mask within = (travelled <= R(scene_.max_length)) & (turning <= R(scene_.max_turning)) &
                         (steps <= R(scene_.max_steps));
     R event = select(live & !within, code(LaneEvent::limit), R(0));
     event = select(ends, found.event, event);
@@ -143,125 +121,73 @@ class LaneStepper {
   /// How long a step may be before borders cut it: what the field allows, or, where nothing acts,
   /// out of the scene.
   [[nodiscard]] R longest(V x, const LaneBending<R>& start, Mask flies) const {
-    const R proposed = Nystrom::propose(start.stiffness, start.nearness, R(scene_.stiffness_weight),
-                                        R(scene_.nearness_weight));
+    const R proposed = Radau::propose(start.stiffness, start.nearness, R(scene_.stiffness_weight),
+                                      R(scene_.nearness_weight));
     return select(flies, span(x) + R(scene_.radius), min(proposed, R(scene_.farthest)));
   }
 
-  /// The share of the step at which `height(u)` vanishes, by two steps of Newton's method.
-  template <class Height, class Slope>
-  [[nodiscard]] static R root(R guess, Height height, Slope slope) {
-    R u = guess;
-    for (int i = 0; i < 2; ++i) {
-      const R better = u - height(u) / slope(u);
-      u = select((better >= R(0)) & (better <= R(1)), better, u);
-    }
-    return u;
-  }
-
-  /// The same where `height(u) * before` is positive at first and negative at last, however flat it
-  /// is between: Newton's method, kept within what is left of the step.
-  template <class Height, class Slope>
-  [[nodiscard]] static R crossing(R guess, R before, Height height, Slope slope) {
-    R u = guess, low(0), high(1);
-    for (int i = 0; i < 5; ++i) {
-      const R at = height(u);
-      const Mask early = at * before > R(0);
-      low = select(early, u, low);
-      high = select(early, high, u);
-      const R better = u - at / slope(u);
-      u = select((better >= low) & (better <= high), better, (low + high) * R(0.5));
-    }
-    return u;
-  }
-
-  /// False only where the curve stays out of a ball about `-from`, as seen from its start.
-  [[nodiscard]] static Mask may_touch(const LaneCubic<R>& cubic, V from, R radius) {
-    const R along = -dot(from, cubic.c1);
-    const R length2 = dot(cubic.c1, cubic.c1);
-    const R share = min(max(along, R(0)), length2) / length2;
-    const V nearest = from + cubic.c1 * share;
-    const R within = (radius + cubic.stray) * R(1.0001);
-    return dot(nearest, nearest) <= within * within;
-  }
-
-  void find_horizons(const LaneCubic<R>& cubic, const F& field, LaneFinding<R>& found) const {
+  void find_horizons(const LanePath<R>& path, const F& field, LaneFinding<R>& found) const {
     for (int i = 0; i < scene_.mass_count; ++i) {
       const LaneMass& mass = scene_.masses[i];
       if (mass.horizon < 0.0f) continue;
-      const R reach = cubic.h + R(mass.horizon);
+      const R reach = path.h + R(mass.horizon);
       if (!any(field.distance2(i) < reach * reach)) continue;
       const V center = spread<R>(mass.center);
-      const auto outside = [&](R u) {
-        const V d = cubic.position(u) - center;
-        return dot(d, d) - R(mass.horizon2);
-      };
-      const V from = cubic.c0 - center;
-      if (!any(may_touch(cubic, from, R(mass.horizon)))) continue;
-      const R approach = dot(from, cubic.c1);
-      // The closest approach of the tangent bounds how near the step may come.
-      const R closest = min(max(-approach / dot(cubic.c1, cubic.c1), R(0)), R(1));
-      const R least = min(outside(closest), outside(R(1)));
-      if (!any((least <= R(0)) & (approach < R(0)))) continue;
-      const R inside = select(outside(closest) <= R(0), closest, R(1));
-      R low(0), high = inside;
-      for (int k = 0; k < 20; ++k) {
-        const R middle = (low + high) * R(0.5);
-        const auto out = outside(middle) > R(0);
-        low = select(out, middle, low);
-        high = select(out, high, middle);
-      }
-      found.offer((least <= R(0)) & (approach < R(0)), high, LaneEvent::horizon, R(i));
+      const V from = path.place.c0 - center;
+      if (!any(path.may_touch(from, R(mass.horizon)))) continue;
+      const LaneDistance<R> outside{path, center, R(mass.horizon2)};
+      const R nearest = outside.nearest();
+      const R inside = select(outside.at(nearest) <= R(0), nearest, R(1));
+      const Mask falls = (outside.at(inside) <= R(0)) & (dot(from, path.place.c1) < R(0));
+      if (!any(falls)) continue;
+      found.offer(falls, crossing(outside, inside * R(0.5), R(1), R(0), inside), LaneEvent::horizon,
+                  R(i));
     }
   }
 
-  void find_portals(const LaneCubic<R>& cubic, LaneFinding<R>& found) const {
+  void find_portals(const LanePath<R>& path, const StateOf<R>& end, LaneFinding<R>& found) const {
     for (int p = 0; p < scene_.portal_count; ++p) {
       const LanePortal& portal = scene_.portals[p];
       const V normal = spread<R>(portal.normal), origin = spread<R>(portal.origin);
-      const R z0 = dot(cubic.c0 - origin, normal);
-      const R z1 = dot(cubic.position(R(1)) - origin, normal);
+      const R z0 = dot(path.place.c0 - origin, normal);
+      const R z1 = dot(end.position - origin, normal);
       Mask crosses = (z0 >= R(-portal.tolerance)) & (z1 < R(0)) & (z1 < z0);
       if (portal.back > 0.0f) crosses = crosses | ((z0 < R(0)) & (z1 >= R(0)));
       if (!any(crosses)) continue;
-      const R u = crossing(
-          max(z0, R(0)) / select(crosses, z0 - z1, R(1)), select(z1 < R(0), R(1), R(-1)),
-          [&](R at) { return dot(cubic.position(at) - origin, normal); },
-          [&](R at) { return dot(cubic.velocity(at), normal); });
-      const V d = cubic.position(u) - origin;
+      const R u = crossing(path.height(z0, normal), max(z0, R(0)) / select(crosses, z0 - z1, R(1)),
+                           select(z1 < R(0), R(1), R(-1)), R(0), R(1));
+      const V d = path.place.at(u) - origin;
       const auto within = (abs(dot(d, spread<R>(portal.right))) <= R(portal.half_width)) &
                           (abs(dot(d, spread<R>(portal.up))) <= R(portal.half_height));
       found.offer(crosses & within, u, LaneEvent::portal, R(p));
     }
   }
 
-  void find_polygons(const LaneCubic<R>& cubic, const StateOf<R>& end, LaneFinding<R>& found,
+  void find_polygons(const LanePath<R>& path, const StateOf<R>& end, LaneFinding<R>& found,
                      R& doubtful) const {
     const R departed = read(lanes_.departed), side = read(lanes_.departed_side);
     const bool leaves = any(departed >= R(0));
-    const R sagitta = span(end.direction * cubic.h - cubic.c1) * R(0.25);
+    const R sagitta = span(end.direction * path.h - path.place.c1) * R(0.25);
     for (int p = 0; p < scene_.polygon_count; ++p) {
       const LanePolygon& polygon = scene_.polygons[p];
       const V normal = spread<R>(polygon.normal);
-      R z0 = dot(cubic.c0, normal) - R(polygon.distance);
+      R z0 = dot(path.place.c0, normal) - R(polygon.distance);
       const R z1 = dot(end.position, normal) - R(polygon.distance);
       if (leaves) z0 = select(departed == R(polygon.shape), side * R(1e-20), z0);
       const Mask crosses = ((z0 > R(0)) & (z1 <= R(0))) | ((z0 <= R(0)) & (z1 > R(0)));
       const Mask near = min(abs(z0), abs(z1)) < sagitta;
       if (!any(crosses | near)) continue;
       // Both ends on one side, first towards the plane, then away: it may dip through between.
-      const R s0 = dot(cubic.c1, normal), s1 = dot(end.direction, normal);
+      const R s0 = dot(path.place.c1, normal), s1 = dot(end.direction, normal);
       const Mask dips = near & !crosses & (z0 * s0 < R(0)) & (z1 * s1 > R(0));
       if (!any((crosses | dips) &
-               may_touch(cubic, cubic.c0 - spread<R>(polygon.middle), R(polygon.radius))))
+               path.may_touch(path.place.c0 - spread<R>(polygon.middle), R(polygon.radius))))
         continue;
-      const R u = crossing(
-          z0 / select(crosses, z0 - z1, R(1)), z0,
-          [&](R at) { return dot(cubic.position(at), normal) - R(polygon.distance); },
-          [&](R at) { return dot(cubic.velocity(at), normal); });
-      const V at = cubic.position(select(crosses, u, R(0.5)));
+      const R u =
+          crossing(path.height(z0, normal), z0 / select(crosses, z0 - z1, R(1)), z0, R(0), R(1));
+      const V at = path.place.at(select(crosses, u, R(0.5)));
       Mask within = crosses | dips;
-      const R slack = select(dips, cubic.h, R(0));
+      const R slack = select(dips, path.h, R(0));
       for (int k = 0; k < 4; ++k)
         within =
             within &
@@ -271,65 +197,42 @@ class LaneStepper {
     }
   }
 
-  void find_spheres(const LaneCubic<R>& cubic, LaneFinding<R>& found) const {
+  void find_spheres(const LanePath<R>& path, LaneFinding<R>& found) const {
     const R departed = read(lanes_.departed), side = read(lanes_.departed_side);
     for (int i = 0; i < scene_.sphere_count; ++i) {
       const LaneSphere& sphere = scene_.spheres[i];
       const V center = spread<R>(sphere.center);
-      const V from = cubic.c0 - center;
-      if (!any(may_touch(cubic, from, R(sphere.radius)))) continue;
-      const R r2(sphere.radius * sphere.radius);
-      const auto outside = [&](R u) {
-        const V d = cubic.position(u) - center;
-        return dot(d, d) - r2;
-      };
-      const auto slope = [&](R u) {
-        return R(2) * dot(cubic.position(u) - center, cubic.velocity(u));
-      };
+      if (!any(path.may_touch(path.place.c0 - center, R(sphere.radius)))) continue;
+      const LaneDistance<R> outside{path, center, R(sphere.radius * sphere.radius)};
       const Mask leaving = departed == R(sphere.shape);
-      R f0 = outside(R(0));
-      f0 = select(leaving, side * R(1e-20), f0);
-      const R f1 = outside(R(1));
+      const R f0 = select(leaving, side * R(1e-20), outside.at(R(0)));
+      const R f1 = outside.at(R(1));
       // From outside the nearest point of the step decides.
-      R nearest = -dot(from, cubic.c1) / dot(cubic.c1, cubic.c1);
-      nearest = min(max(nearest, R(0)), R(1));
-      const V there = cubic.position(nearest) - center;
-      const R better = nearest - dot(there, cubic.velocity(nearest)) / dot(cubic.c1, cubic.c1);
-      nearest = min(max(better, R(0)), R(1));
-      const Mask enters = (f0 > R(0)) & ((f1 <= R(0)) | (outside(nearest) <= R(0))) &
+      const R nearest = outside.nearest();
+      const Mask enters = (f0 > R(0)) & ((f1 <= R(0)) | (outside.at(nearest) <= R(0))) &
                           !(leaving & (nearest <= R(0)));
       const Mask exits = (f0 <= R(0)) & (f1 > R(0));
       if (!any(enters | exits)) continue;
-      R low(0), high = select(exits | (f1 <= R(0)), R(1), nearest);
-      const R sign = select(enters, R(1), R(-1));
-      for (int k = 0; k < 6; ++k) {
-        const R middle = (low + high) * R(0.5);
-        const auto before = outside(middle) * sign > R(0);
-        low = select(before, middle, low);
-        high = select(before, high, middle);
-      }
-      const R u = root((low + high) * R(0.5), outside, slope);
+      const R last = select(exits | (f1 <= R(0)), R(1), nearest);
+      const R u = crossing(outside, last * R(0.5), select(enters, R(1), R(-1)), R(0), last);
       found.offer(enters | exits, u, LaneEvent::hit, R(sphere.shape));
     }
   }
 
-  void find_boxes(const LaneCubic<R>& cubic, R clear, R& doubtful) const {
+  void find_boxes(const LanePath<R>& path, const StateOf<R>& end, R clear, R& doubtful) const {
     if (scene_.box_count == 0) return;
     const Mask needed = clear < R(0);
     if (!any(needed)) return;
     // The share of the chord that lies between the planes of each pair; the curve strays from it.
-    const V chord = cubic.c1 + cubic.c2 + cubic.c3;
-    const R slack = cubic.stray;
+    const V from = path.place.c0, chord = end.position - from;
+    const R slack = path.stray;
     const V inverse{inverse_of(chord.x), inverse_of(chord.y), inverse_of(chord.z)};
     for (int i = 0; i < scene_.box_count; ++i) {
       const LaneBox& box = scene_.boxes[i];
       R low(0), high(1);
-      cut(R(box.low.x) - slack - cubic.c0.x, R(box.high.x) + slack - cubic.c0.x, inverse.x, low,
-          high);
-      cut(R(box.low.y) - slack - cubic.c0.y, R(box.high.y) + slack - cubic.c0.y, inverse.y, low,
-          high);
-      cut(R(box.low.z) - slack - cubic.c0.z, R(box.high.z) + slack - cubic.c0.z, inverse.z, low,
-          high);
+      cut(R(box.low.x) - slack - from.x, R(box.high.x) + slack - from.x, inverse.x, low, high);
+      cut(R(box.low.y) - slack - from.y, R(box.high.y) + slack - from.y, inverse.y, low, high);
+      cut(R(box.low.z) - slack - from.z, R(box.high.z) + slack - from.z, inverse.z, low, high);
       doubtful = select(needed & (low <= high), R(1), doubtful);
     }
   }

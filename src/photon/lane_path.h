@@ -1,0 +1,112 @@
+/// \file
+/// Over lanes: the path of one step, and where it meets planes and balls.
+#pragma once
+
+#include "math/vec3.h"
+#include "photon/radau.h"
+
+namespace portalens {
+
+/// Bounds the length of a vector from above, to within a factor of √3.
+template <class R>
+R span(Vec3<R> v) {
+  return abs(v.x) + abs(v.y) + abs(v.z);
+}
+
+/// A polynomial in the share u of a step, 0 to 1.
+template <class R, class T>
+struct LaneQuintic {
+  T c0, c1, c2, c3, c4, c5;
+
+  [[nodiscard]] T at(R u) const { return c0 + (c1 + (c2 + (c3 + (c4 + c5 * u) * u) * u) * u) * u; }
+  [[nodiscard]] T slope(R u) const {
+    return c1 + (c2 * R(2) + (c3 * R(3) + (c4 * R(4) + c5 * (R(5) * u)) * u) * u) * u;
+  }
+};
+
+/// Where it vanishes: `at(u) * before` is positive at `low` and negative at `high`, however flat it
+/// is between. Newton's method, kept within what is left.
+template <class R, class Function>
+[[nodiscard]] R crossing(const Function& function, R guess, R before, R low, R high) {
+  R u = guess;
+  for (int i = 0; i < 4; ++i) {
+    const R at = function.at(u);
+    const auto early = at * before > R(0);
+    low = select(early, u, low);
+    high = select(early, high, u);
+    const R better = u - at / function.slope(u);
+    u = select((better >= low) & (better <= high), better, (low + high) * R(0.5));
+  }
+  return u;
+}
+
+/// The step's path.
+template <class R>
+struct LanePath {
+  using V = Vec3<R>;
+  LaneQuintic<R, V> place;
+  R h;
+  R stray;  ///< how far the path can be from the straight way along its first direction
+
+  LanePath(const StateOf<R>& start, const Bends<R>& bends, R length) : h(length) {
+    using radau_details::polynomial;
+    const R h2 = h * h;
+    place.c0 = start.position;
+    place.c1 = start.direction * h;
+    place.c2 = bends.at[0] * (h2 * R(1.0 / 2.0));
+    place.c3 = bends.template sum<4>(polynomial[1]) * (h2 * R(1.0 / 6.0));
+    place.c4 = bends.template sum<4>(polynomial[2]) * (h2 * R(1.0 / 12.0));
+    place.c5 = bends.template sum<4>(polynomial[3]) * (h2 * R(1.0 / 20.0));
+    stray = span(place.c2) + span(place.c3) + span(place.c4) + span(place.c5);
+  }
+
+  /// The height over a plane, from that of the start.
+  [[nodiscard]] LaneQuintic<R, R> height(R start, V normal) const {
+    return {start,
+            dot(place.c1, normal),
+            dot(place.c2, normal),
+            dot(place.c3, normal),
+            dot(place.c4, normal),
+            dot(place.c5, normal)};
+  }
+
+  /// False only where it stays out of a ball about `-from`, as seen from its start.
+  [[nodiscard]] typename R::Mask may_touch(V from, R radius) const {
+    const R along = -dot(from, place.c1);
+    const R length2 = dot(place.c1, place.c1);
+    const R share = min(max(along, R(0)), length2) / length2;
+    const V nearest = from + place.c1 * share;
+    const R within = (radius + stray) * R(1.0001);
+    return dot(nearest, nearest) <= within * within;
+  }
+};
+
+/// The square of a path's distance from a place, less that of a radius.
+template <class R>
+struct LaneDistance {
+  const LanePath<R>& path;
+  Vec3<R> center;
+  R radius2;
+
+  [[nodiscard]] R at(R u) const {
+    const Vec3<R> d = path.place.at(u) - center;
+    return dot(d, d) - radius2;
+  }
+  [[nodiscard]] R slope(R u) const {
+    return R(2) * dot(path.place.at(u) - center, path.place.slope(u));
+  }
+  /// The share of the step where it is least, or nearly: two steps of Newton's method that take the
+  /// path for straight near it.
+  [[nodiscard]] R nearest() const {
+    const R speed2 = dot(path.place.c1, path.place.c1);
+    R u = -dot(path.place.c0 - center, path.place.c1) / speed2;
+    u = min(max(u, R(0)), R(1));
+    for (int i = 0; i < 2; ++i) {
+      const R better = u - dot(path.place.at(u) - center, path.place.slope(u)) / speed2;
+      u = min(max(better, R(0)), R(1));
+    }
+    return u;
+  }
+};
+
+}  // namespace portalens

@@ -1,0 +1,180 @@
+/// \file
+/// The default: a step over Radau's nodes whose length follows from the field.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "photon/integrator_settings.h"
+#include "photon/step.h"
+
+namespace portalens {
+
+/// The shares of a step at which its field is evaluated: Radau's four nodes, whose quadrature over
+/// the step is of order 7.
+inline constexpr std::array<double, 4> radau_nodes = {0.0, 0.212340538239152, 0.590533135559265,
+                                                      0.911412040487296};
+
+namespace radau_details {
+
+using Weights = std::array<std::array<double, 4>, 4>;
+
+/// Coefficients of the polynomial that is 1 at node `j` of the first `count`, and 0 at the others.
+constexpr std::array<double, 4> basis(std::size_t count, std::size_t j) {
+  std::array<double, 4> p = {1.0};
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i == j) continue;
+    const double scale = 1.0 / (radau_nodes[j] - radau_nodes[i]);
+    for (std::size_t k = 3; k > 0; --k) p[k] = scale * (p[k - 1] - radau_nodes[i] * p[k]);
+    p[0] *= -scale * radau_nodes[i];
+  }
+  return p;
+}
+
+/// Of ∫₀ᵘ basis and ∫₀ᵘ∫₀ᵛ basis.
+constexpr double once(std::size_t count, std::size_t j, double u) {
+  const auto p = basis(count, j);
+  return u * (p[0] + u * (p[1] / 2 + u * (p[2] / 3 + u * p[3] / 4)));
+}
+constexpr double twice(std::size_t count, std::size_t j, double u) {
+  const auto p = basis(count, j);
+  return u * u * (p[0] / 2 + u * (p[1] / 6 + u * (p[2] / 12 + u * p[3] / 20)));
+}
+
+/// Row i: the integral up to node i, from the values at the nodes before it or at all of them.
+template <class Integral>
+constexpr Weights to_nodes(const Integral& integral, bool from_all) {
+  Weights weights{};
+  for (std::size_t i = 1; i < 4; ++i)
+    for (std::size_t j = 0; j < (from_all ? 4 : i); ++j)
+      weights[i][j] = integral(from_all ? 4 : i, j, radau_nodes[i]);
+  return weights;
+}
+
+/// Row k: the coefficient of uᵏ of the polynomial through the values at all nodes.
+constexpr Weights coefficients() {
+  Weights weights{};
+  for (std::size_t j = 0; j < 4; ++j)
+    for (std::size_t k = 0; k < 4; ++k) weights[k][j] = basis(4, j)[k];
+  return weights;
+}
+
+inline constexpr Weights place_from_before = to_nodes(twice, false);
+inline constexpr Weights turn_from_before = to_nodes(once, false);
+inline constexpr Weights turn_from_all = to_nodes(once, true);
+inline constexpr Weights polynomial = coefficients();
+inline constexpr std::array<double, 4> end_place = {twice(4, 0, 1), twice(4, 1, 1), twice(4, 2, 1),
+                                                    twice(4, 3, 1)};
+inline constexpr std::array<double, 4> end_turn = {once(4, 0, 1), once(4, 1, 1), once(4, 2, 1),
+                                                   once(4, 3, 1)};
+
+}  // namespace radau_details
+
+/// dt/ds at the four nodes of a step.
+template <class Real>
+struct Bends {
+  Vec3<Real> at[4];
+
+  /// Their sum with weights, of the first `count`.
+  template <std::size_t count>
+  [[nodiscard]] Vec3<Real> sum(const std::array<double, 4>& weights) const {
+    return sum(weights, std::make_index_sequence<count>());
+  }
+
+ private:
+  template <std::size_t... j>
+  [[nodiscard]] Vec3<Real> sum(const std::array<double, 4>& weights,
+                               std::index_sequence<j...>) const {
+    return (... + (at[j] * Real(weights[j])));
+  }
+};
+
+/// A step of x'' = a(x) - (a·x') x' through four places. Where they are follows from the values
+/// before them; the direction at each is then found again from all four, which needs no further
+/// evaluation of the field. On a nearly straight way that leaves the error of the quadrature, of
+/// seventh order; what a way's own bend feeds back into it is of fourth. No step is ever rejected
+/// for its error: the length
+///     h = (Σ w m d⁻⁵ / η⁴ + Σ d⁻⁴ / λ⁴)^(-1/4)
+/// at distances d from masses spreads it evenly over the path. The second sum keeps a step shorter
+/// than λ times the distance: how well polynomials follow the field depends on h/d alone. Near
+/// capture a path magnifies every error made on the way: hence the weight w, `path_weight`.
+struct Radau {
+  static constexpr std::string_view name = "adaptive";
+  static constexpr bool fixed_step = false;
+  static constexpr bool straight_pieces = false;
+  double stiffness_weight;  ///< 1/η⁴
+  double nearness_weight;   ///< 1/λ⁴
+
+  static Radau from(const IntegratorSettings& settings) {
+    return {1.0 / (error_share * settings.tolerance), 1.0 / std::pow(longest_share, 4)};
+  }
+
+  /// @param stiffness  Σ w m d⁻⁵, nearness  Σ d⁻⁴, both 1/length⁴
+  template <class Real>
+  [[nodiscard]] static Real propose(Real stiffness, Real nearness, Real stiffness_weight,
+                                    Real nearness_weight) {
+    return inverse_fourth_root(stiffness * stiffness_weight + nearness * nearness_weight);
+  }
+  [[nodiscard]] double propose(double stiffness, double nearness) const {
+    return propose(stiffness, nearness, stiffness_weight, nearness_weight);
+  }
+
+  template <class Real, class Acceleration>
+  [[nodiscard]] static Bends<Real> bends(const Acceleration& acceleration, StateOf<Real> state,
+                                         Vec3<Real> start_acceleration, Real h) {
+    using namespace radau_details;
+    const Vec3<Real> x = state.position, t = state.direction;
+    Bends<Real> bends;
+    auto& [k0, k1, k2, k3] = bends.at;
+    const auto place = [&](double node, Vec3<Real> bent) {
+      return x + (t * Real(node) + bent * h) * h;
+    };
+    k0 = turning_part(start_acceleration, t);
+    const Vec3<Real> a1 =
+        acceleration(place(radau_nodes[1], bends.template sum<1>(place_from_before[1])));
+    const Real half(0.5 * radau_nodes[1]);
+    k1 = turning_part(a1, t + k0 * (half * Real(2) * h));
+    k1 = turning_part(a1, t + (k0 + k1) * (half * h));
+    const Vec3<Real> a2 =
+        acceleration(place(radau_nodes[2], bends.template sum<2>(place_from_before[2])));
+    k2 = turning_part(a2, t + bends.template sum<2>(turn_from_before[2]) * h);
+    const Vec3<Real> a3 =
+        acceleration(place(radau_nodes[3], bends.template sum<3>(place_from_before[3])));
+    k3 = turning_part(a3, t + bends.template sum<3>(turn_from_before[3]) * h);
+    const Vec3<Real> t1 = t + bends.template sum<4>(turn_from_all[1]) * h;
+    const Vec3<Real> t2 = t + bends.template sum<4>(turn_from_all[2]) * h;
+    const Vec3<Real> t3 = t + bends.template sum<4>(turn_from_all[3]) * h;
+    k1 = turning_part(a1, t1);
+    k2 = turning_part(a2, t2);
+    k3 = turning_part(a3, t3);
+    return bends;
+  }
+
+  /// Where a step of `bends` ends.
+  template <class Real>
+  [[nodiscard]] static StateOf<Real> end(StateOf<Real> state, const Bends<Real>& bends, Real h) {
+    using namespace radau_details;
+    return {state.position + (state.direction + bends.template sum<4>(end_place) * h) * h,
+            normalize(state.direction + bends.template sum<4>(end_turn) * h)};
+  }
+
+  template <class Acceleration>
+  [[nodiscard]] static StepResult<double> step(const Acceleration& acceleration, State state,
+                                               Vec3d start_acceleration, double h) {
+    using radau_details::polynomial;
+    const Bends<double> found = bends(acceleration, state, start_acceleration, h);
+    const Vec3d middle = found.sum<4>(polynomial[0]) +
+                         (found.sum<4>(polynomial[1]) +
+                          (found.sum<4>(polynomial[2]) + found.sum<4>(polynomial[3]) * 0.5) * 0.5) *
+                             0.5;
+    return {end(state, found, h), portalens::length(middle)};
+  }
+
+  /// η⁴ as a share of the tolerance, and λ: measured against the closed forms of one mass from near
+  /// capture to far (tests/photon/closed_forms_test.cpp holds them to it).
+  static constexpr double error_share = 100.0;
+  static constexpr double longest_share = 0.65;
+};
+
+}  // namespace portalens
