@@ -30,6 +30,10 @@ class Quad {
 
   [[nodiscard]] std::span<const Vec3d> vertices() const { return {vertices_.data(), count_}; }
   [[nodiscard]] Vec3d normal() const { return normal_; }
+  /// How far along the ray its plane is; infinite or no number where they are parallel.
+  [[nodiscard]] double distance_of_plane(const Ray& ray) const {
+    return dot(vertices_[0] - ray.origin, normal_) / dot(ray.direction, normal_);
+  }
 
   [[nodiscard]] Box bounds() const;
   [[nodiscard]] std::optional<Contact> intersect(const Ray& ray, double low, double high) const;

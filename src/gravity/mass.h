@@ -35,6 +35,8 @@ struct Mass {
   bool horizon = true;  ///< a photon within `schwarzschild` of the centre is absorbed
   double schwarzschild = 0.0;
   double influence = 0.0;  ///< R; infinite if the threshold is 0
+
+  [[nodiscard]] bool has_horizon() const { return horizon && gm > 0.0; }
 };
 
 }  // namespace portalens

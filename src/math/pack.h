@@ -11,6 +11,10 @@
 
 namespace portalens {
 
+/// 1, 2, 4, 8…: as many as the widest pack has lanes.
+inline constexpr float powers_of_two[] = {1,   2,   4,    8,    16,   32,   64,    128,
+                                          256, 512, 1024, 2048, 4096, 8192, 16384, 32768};
+
 template <class Isa>
 using Pack = xsimd::batch<float, Isa>;
 
@@ -46,6 +50,14 @@ struct Pair {
     friend Mask operator|(Mask x, Mask y) { return {x.a | y.a, x.b | y.b}; }
     friend Mask operator!(Mask x) { return {!x.a, !x.b}; }
     friend bool any(Mask x) { return xsimd::any(x.a | x.b); }
+    /// Bit i for lane i.
+    friend std::uint32_t bits(Mask x) {
+      const P value = P::load_unaligned(powers_of_two), none(0.0f);
+      const auto part = [&](typename P::batch_bool_type mask) {
+        return static_cast<std::uint32_t>(xsimd::hadd(xsimd::select(mask, value, none)));
+      };
+      return part(x.a) | part(x.b) << P::size;
+    }
   };
 
   static constexpr int lanes = 2 * static_cast<int>(P::size);

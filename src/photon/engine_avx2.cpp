@@ -4,8 +4,8 @@
 
 namespace portalens {
 
-void step_lanes_avx2(const LaneScene& scene, Lanes& lanes) {
-  step_lanes<Pair<Pack<xsimd::fma3<xsimd::avx2>>>>(scene, lanes);
+std::uint32_t step_lanes_avx2(const LaneScene& scene, Lanes& lanes) {
+  return step_lanes<Pair<Pack<xsimd::fma3<xsimd::avx2>>>>(scene, lanes);
 }
 
 }  // namespace portalens

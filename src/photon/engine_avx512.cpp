@@ -4,8 +4,8 @@
 
 namespace portalens {
 
-void step_lanes_avx512(const LaneScene& scene, Lanes& lanes) {
-  step_lanes<Pair<Pack<xsimd::avx512bw>>>(scene, lanes);
+std::uint32_t step_lanes_avx512(const LaneScene& scene, Lanes& lanes) {
+  return step_lanes<Pair<Pack<xsimd::avx512bw>>>(scene, lanes);
 }
 
 }  // namespace portalens

@@ -1,6 +1,7 @@
 #include "photon/engine_lanes.h"
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -29,65 +30,74 @@ class LaneDriver {
   void run() {
     for (int lane = 0; lane < lane_count; ++lane) refill(lane);
     while (travelling_ > 0) {
-      step_(plan_.scene, lanes_);
+      std::uint32_t events = step_(plan_.scene, lanes_);
       // Only where the step was not taken can a lane still be as it was put there.
-      std::array<int, lane_count> ended;
-      int count = 0;
-      for (int lane = 0; lane < lane_count; ++lane) {
-        ended[count] = lane;
-        count += lanes_.event[lane] != 0.0f ? 1 : 0;
-      }
       const std::uint32_t was_fresh = std::exchange(fresh_, 0);
-      for (int i = 0; i < count; ++i) {
-        const int lane = ended[i];
+      for (; events != 0; events &= events - 1) {
+        const int lane = std::countr_zero(events);
         const auto event = static_cast<LaneEvent>(static_cast<int>(lanes_.event[lane]));
         const bool stayed = event == LaneEvent::escape || event == LaneEvent::consult;
-        handle(lane, event, way_of(lane, stayed && (was_fresh >> lane & 1) != 0));
+        handle(lane, event, stayed && (was_fresh >> lane & 1) != 0);
       }
     }
   }
 
  private:
-  void handle(int lane, LaneEvent event, Travel way) {
+  /// @param fresh  the lane is as it was put there
+  void handle(int lane, LaneEvent event, bool fresh) {
     // -1 where nothing is met: a float below 0 is no unsigned number.
     const auto object = static_cast<std::uint32_t>(static_cast<int>(lanes_.object[lane]));
-    if (event == LaneEvent::escape) {
-      way.arrival.fate = Fate::escaped;
-      arrive(lane, way);
-    } else if (event == LaneEvent::hit) {
-      way.arrival.met = Met::surface;
-      way.arrival.object = object;
-      way.arrival.face = 0;
-      way.arrival.fate = Fate::hit;
-      settle_on_surface(way);
-      arrive(lane, way);
-    } else {
-      scalar_.resume(way);
-      const bool arrived = event == LaneEvent::portal    ? meet_portal(way, object)
-                           : event == LaneEvent::horizon ? scalar_.absorb(object)
-                                                         : scalar_.one_step();
-      if (arrived) {
-        arrive(lane, scalar_.way());
-      } else {
-        put(lane, scalar_.way(), scalar_.free_length());
+    Arrival& arrival = arrivals_[photon_[lane]];
+    const double begun = arrival.length;
+    const State state = fresh ? states_[lane] : state_of(lane);
+    if (!fresh) {
+      arrival.length = lanes_.length[lane];
+      arrival.turning = lanes_.turning[lane];
+      arrival.steps = static_cast<std::uint32_t>(lanes_.steps[lane]);
+    }
+    if (event == LaneEvent::escape || event == LaneEvent::hit) {
+      arrival.position = state.position;
+      arrival.direction = state.direction;
+      arrival.fate = event == LaneEvent::escape ? Fate::escaped : Fate::hit;
+      if (event == LaneEvent::hit) {
+        arrival.met = Met::surface;
+        arrival.object = object;
+        settle_on_surface(arrival);
       }
+      end(lane);
+      return;
+    }
+    const Travel way{state, starts_[lane].after(arrival.length - begun), arrival};
+    scalar_.resume(way);
+    const bool arrived = event == LaneEvent::portal    ? meet_portal(way, object)
+                         : event == LaneEvent::horizon ? scalar_.absorb(object)
+                                                       : scalar_.one_step();
+    if (arrived) {
+      arrival = scalar_.way().arrived();
+      end(lane);
+    } else {
+      arrival = scalar_.way().arrival;
+      put(lane, scalar_.way().state, scalar_.way().start, scalar_.free_length());
     }
   }
 
-  void arrive(int lane, const Travel& way) {
-    arrivals_[photon_[lane]] = way.arrived();
+  void end(int lane) {
     --travelling_;
     refill(lane);
   }
 
   /// Puts a hit that was found in float onto its surface in double.
-  void settle_on_surface(Travel& way) const {
-    const Ray ray{way.state.position, way.state.direction};
-    const double reach = 1e-3 * (1e-3 * space_.extent + way.arrival.length);
-    if (const auto contact = space_.surfaces.contact_near(way.arrival.object, 0, ray, reach)) {
-      way.state.position = ray.at(contact->distance);
-      way.arrival.length += contact->distance;
-    }
+  void settle_on_surface(Arrival& arrival) const {
+    const Ray ray{arrival.position, arrival.direction};
+    const double reach = 1e-3 * (1e-3 * space_.extent + arrival.length);
+    double distance = 2.0 * reach;
+    if (const auto* quad = std::get_if<Quad>(&space_.surfaces.shapes()[arrival.object]))
+      distance = quad->distance_of_plane(ray);
+    else if (const auto contact = space_.surfaces.contact_near(arrival.object, 0, ray, reach))
+      distance = contact->distance;
+    if (!(std::fabs(distance) <= reach)) return;
+    arrival.position = ray.at(distance);
+    arrival.length += distance;
   }
 
   [[nodiscard]] bool meet_portal(const Travel& way, std::uint32_t index) {
@@ -104,35 +114,29 @@ class LaneDriver {
          0});
   }
 
-  /// A lane's way in double. One that has just been put there is taken as it was.
-  [[nodiscard]] Travel way_of(int lane, bool fresh) const {
-    Travel way = travels_[lane];
-    if (!fresh) {
-      way.state.position = plan_.center + Vec3d{lanes_.x[lane], lanes_.y[lane], lanes_.z[lane]};
-      way.state.direction = normalize(Vec3d{lanes_.tx[lane], lanes_.ty[lane], lanes_.tz[lane]});
-      way.start = way.start.after(lanes_.length[lane] - way.arrival.length);
-      way.arrival.length = lanes_.length[lane];
-      way.arrival.turning = lanes_.turning[lane];
-      way.arrival.steps = static_cast<std::uint32_t>(lanes_.steps[lane]);
-    }
-    return way;
+  [[nodiscard]] State state_of(int lane) const {
+    return {plan_.center + Vec3d{lanes_.x[lane], lanes_.y[lane], lanes_.z[lane]},
+            normalize(Vec3d{lanes_.tx[lane], lanes_.ty[lane], lanes_.tz[lane]})};
   }
 
+  /// The lane's photon goes on from there; how far it has come, its arrival tells.
   /// @param clear  nothing is met within that much path
-  void put(int lane, const Travel& way, double clear) {
-    travels_[lane] = way;
+  void put(int lane, const State& state, const PathStart& start, double clear) {
+    states_[lane] = state;
+    starts_[lane] = start;
     fresh_ |= std::uint32_t{1} << lane;
-    const Vec3d x = way.state.position - plan_.center;
+    const Vec3d x = state.position - plan_.center;
     lanes_.x[lane] = static_cast<float>(x.x);
     lanes_.y[lane] = static_cast<float>(x.y);
     lanes_.z[lane] = static_cast<float>(x.z);
-    lanes_.tx[lane] = static_cast<float>(way.state.direction.x);
-    lanes_.ty[lane] = static_cast<float>(way.state.direction.y);
-    lanes_.tz[lane] = static_cast<float>(way.state.direction.z);
-    lanes_.length[lane] = static_cast<float>(way.arrival.length);
-    lanes_.turning[lane] = static_cast<float>(way.arrival.turning);
-    lanes_.steps[lane] = static_cast<float>(way.arrival.steps);
-    const Departure& departure = way.start.departure;
+    lanes_.tx[lane] = static_cast<float>(state.direction.x);
+    lanes_.ty[lane] = static_cast<float>(state.direction.y);
+    lanes_.tz[lane] = static_cast<float>(state.direction.z);
+    const Arrival& so_far = arrivals_[photon_[lane]];
+    lanes_.length[lane] = static_cast<float>(so_far.length);
+    lanes_.turning[lane] = static_cast<float>(so_far.turning);
+    lanes_.steps[lane] = static_cast<float>(so_far.steps);
+    const Departure& departure = start.departure;
     lanes_.departed[lane] =
         departure.shape == no_object ? -1.0f : static_cast<float>(departure.shape);
     lanes_.departed_side[lane] = static_cast<float>(departure.side);
@@ -156,17 +160,18 @@ class LaneDriver {
   void refill(int lane) {
     while (next_ < photons_.size()) {
       const std::size_t index = next_++;
-      const Travel way = Travel::of(photons_[index]);
+      const Photon& photon = photons_[index];
       // What can't begin ends at once.
-      if (!is_finite(way.state.position) || !is_finite(way.state.direction) ||
-          horizon_around(space_.masses, way.state.position)) {
-        scalar_.resume(way);
+      if (!is_finite(photon.position) || !is_finite(photon.direction) ||
+          horizon_around(space_.masses, photon.position)) {
+        scalar_.resume(Travel::of(photon));
         scalar_.one_step();
         arrivals_[index] = scalar_.way().arrived();
         continue;
       }
       photon_[lane] = index;
-      put(lane, way, 0.0);
+      arrivals_[index] = Arrival{};
+      put(lane, {photon.position, photon.direction}, {photon.departure}, 0.0);
       ++travelling_;
       return;
     }
@@ -181,7 +186,8 @@ class LaneDriver {
   std::span<const Photon> photons_;
   std::span<Arrival> arrivals_;
   Lanes lanes_;
-  std::array<Travel, lane_count> travels_;
+  std::array<State, lane_count> states_;  ///< where they were put, in double
+  std::array<PathStart, lane_count> starts_;
   std::array<std::size_t, lane_count> photon_{};
   std::uint32_t fresh_ = 0;  ///< lanes that have not moved since they were filled, a bit each
   std::size_t next_ = 0;

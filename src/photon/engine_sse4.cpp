@@ -4,8 +4,8 @@
 
 namespace portalens {
 
-void step_lanes_sse4(const LaneScene& scene, Lanes& lanes) {
-  step_lanes<Pair<Pack<xsimd::sse4_2>>>(scene, lanes);
+std::uint32_t step_lanes_sse4(const LaneScene& scene, Lanes& lanes) {
+  return step_lanes<Pair<Pack<xsimd::sse4_2>>>(scene, lanes);
 }
 
 }  // namespace portalens

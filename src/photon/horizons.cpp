@@ -14,8 +14,6 @@ double bisect(double low, double high, Predicate holds) {
   return high;
 }
 
-bool has_horizon(const Mass& mass) { return mass.horizon && mass.gm > 0.0; }
-
 /// Where the curve meets this horizon, or nothing.
 std::optional<double> contact(const Mass& mass, const Curve& curve) {
   const double h = curve.length();
@@ -46,19 +44,10 @@ bool surely_misses(const Mass& mass, const Curve& curve) {
 
 }  // namespace
 
-std::optional<std::uint32_t> horizon_around(std::span<const Mass> masses, Vec3d x) {
-  for (std::uint32_t i = 0; i < masses.size(); ++i) {
-    const Vec3d d = masses[i].center - x;
-    if (has_horizon(masses[i]) && dot(d, d) <= masses[i].schwarzschild * masses[i].schwarzschild)
-      return i;
-  }
-  return std::nullopt;
-}
-
 std::optional<HorizonContact> first_horizon(std::span<const Mass> masses, const Curve& curve) {
   std::optional<HorizonContact> first;
   for (std::uint32_t i = 0; i < masses.size(); ++i) {
-    if (!has_horizon(masses[i]) || surely_misses(masses[i], curve)) continue;
+    if (!masses[i].has_horizon() || surely_misses(masses[i], curve)) continue;
     const auto at = contact(masses[i], curve);
     if (at && (!first || *at < first->distance)) first = HorizonContact{i, *at};
   }

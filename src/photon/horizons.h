@@ -17,7 +17,15 @@ struct HorizonContact {
 };
 
 /// The first mass within whose horizon `x` lies.
-[[nodiscard]] std::optional<std::uint32_t> horizon_around(std::span<const Mass> masses, Vec3d x);
+[[nodiscard]] inline std::optional<std::uint32_t> horizon_around(std::span<const Mass> masses,
+                                                                 Vec3d x) {
+  for (std::uint32_t i = 0; i < masses.size(); ++i) {
+    const Vec3d d = masses[i].center - x;
+    if (masses[i].has_horizon() && dot(d, d) <= masses[i].schwarzschild * masses[i].schwarzschild)
+      return i;
+  }
+  return std::nullopt;
+}
 
 /// The first horizon that the curve meets: sought at its end and at its closest approach.
 [[nodiscard]] std::optional<HorizonContact> first_horizon(std::span<const Mass> masses,

@@ -2,15 +2,16 @@
 /// The lanes' step for each instruction set, and the choice among them.
 #pragma once
 
+#include <cstdint>
 #include <string_view>
 
 #include "photon/lane_scene.h"
 
 namespace portalens {
 
-void step_lanes_sse4(const LaneScene& scene, Lanes& lanes);
-void step_lanes_avx2(const LaneScene& scene, Lanes& lanes);
-void step_lanes_avx512(const LaneScene& scene, Lanes& lanes);
+std::uint32_t step_lanes_sse4(const LaneScene& scene, Lanes& lanes);
+std::uint32_t step_lanes_avx2(const LaneScene& scene, Lanes& lanes);
+std::uint32_t step_lanes_avx512(const LaneScene& scene, Lanes& lanes);
 
 struct LaneEngine {
   std::string_view name;

@@ -13,6 +13,17 @@ R span(Vec3<R> v) {
   return abs(v.x) + abs(v.y) + abs(v.z);
 }
 
+/// A vector whose length is nearly 1, made 1: by one step of Newton's method, or where it is off by
+/// more than that mends, exactly.
+template <class R>
+Vec3<R> unit(Vec3<R> v) {
+  const R square = dot(v, v);
+  R scale = R(1.5) - R(0.5) * square;
+  const auto off = abs(square - R(1)) > R(1e-3);
+  if (any(off)) scale = select(off, R(1) / sqrt(square), scale);
+  return v * scale;
+}
+
 /// A polynomial in the share u of a step, 0 to 1.
 template <class R, class T>
 struct LaneQuintic {

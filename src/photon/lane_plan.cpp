@@ -23,7 +23,7 @@ void add_masses(const Space& space, Vec3d center, LaneScene& scene) {
     lane.core2 = static_cast<float>(mass.core * mass.core);
     lane.influence = static_cast<float>(mass.influence);
     lane.influence2 = lane.influence * lane.influence;
-    lane.horizon = mass.horizon && mass.gm > 0.0 ? static_cast<float>(mass.schwarzschild) : -1.0f;
+    lane.horizon = mass.has_horizon() ? static_cast<float>(mass.schwarzschild) : -1.0f;
     lane.horizon2 = lane.horizon * lane.horizon;
   }
 }

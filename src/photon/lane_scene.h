@@ -135,7 +135,7 @@ struct LaneScene {
   LaneBox boxes[most_lane_boxes];
 };
 
-inline constexpr int lane_count = 32;
+inline constexpr int lane_count = 32;  ///< as many as `LaneStep` has bits
 
 /// What a lane's step ended in.
 enum class LaneEvent : std::int32_t {
@@ -162,7 +162,8 @@ struct alignas(64) Lanes {
 };
 
 /// Takes one step of every live lane, or finds that it ends in an event. Where the event says that
-/// the step was not taken, the lane stays where it was.
-using LaneStep = void (*)(const LaneScene& scene, Lanes& lanes);
+/// the step was not taken, the lane stays where it was. Returns bit i for lane i where there is
+/// one.
+using LaneStep = std::uint32_t (*)(const LaneScene& scene, Lanes& lanes);
 
 }  // namespace portalens

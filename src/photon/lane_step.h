@@ -35,9 +35,10 @@ class LaneStepper {
   LaneStepper(const LaneScene& scene, Lanes& lanes, int first)
       : scene_(scene), lanes_(lanes), first_(first) {}
 
-  void step() {
+  /// Bit i where lane `first` + i ends in an event.
+  std::uint32_t step() {
     const Mask live = read(lanes_.live) > R(0);
-    if (!any(live)) return;
+    if (!any(live)) return 0;
     const V x{read(lanes_.x), read(lanes_.y), read(lanes_.z)};
     const V t{read(lanes_.tx), read(lanes_.ty), read(lanes_.tz)};
     F field(scene_);
@@ -52,7 +53,8 @@ class LaneStepper {
     const auto acceleration = [&](V place) { return field.acceleration(place); };
     const StateOf<R> here{x, t};
     const Bends<R> bends = Radau::bends(acceleration, here, start.acceleration, h);
-    const StateOf<R> end = Radau::end(here, bends, h);
+    StateOf<R> end = Radau::end(here, bends, h);
+    end.direction = unit(end.direction);
 
     const LanePath<R> path(here, bends, h);
     LaneFinding<R> found;
@@ -79,7 +81,7 @@ class LaneStepper {
       length = length * u;
       angle = angle * u;
       x1 = choose(ends, path.place.at(u), x1);
-      t1 = choose(ends, normalize(path.place.slope(u)), t1);
+      t1 = choose(ends, unit(path.place.slope(u) * (R(1) / h)), t1);
     }
     write(lanes_.x, stays, x.x, x1.x);
     write(lanes_.y, stays, x.y, x1.y);
@@ -100,6 +102,7 @@ class LaneStepper {
     event = select(consults, code(LaneEvent::consult), event);
     event.store(lanes_.event + first_);
     found.object.store(lanes_.object + first_);
+    return bits(event > R(0));
   }
 
  private:
@@ -252,19 +255,20 @@ class LaneStepper {
 };
 
 template <class R, class F>
-void step_lanes_in(const LaneScene& scene, Lanes& lanes) {
+std::uint32_t step_lanes_in(const LaneScene& scene, Lanes& lanes) {
+  std::uint32_t events = 0;
   for (int first = 0; first < lane_count; first += R::lanes)
-    LaneStepper<R, F>(scene, lanes, first).step();
+    events |= LaneStepper<R, F>(scene, lanes, first).step() << first;
+  return events;
 }
 
 template <class R>
-void step_lanes(const LaneScene& scene, Lanes& lanes) {
+std::uint32_t step_lanes(const LaneScene& scene, Lanes& lanes) {
   if (scene.map_count > 0)
-    step_lanes_in<R, LaneCoupled<R, LaneGravitonMap<R>>>(scene, lanes);
-  else if (scene.way_count > 0)
-    step_lanes_in<R, LaneCoupled<R, LaneShortestPath<R>>>(scene, lanes);
-  else
-    step_lanes_in<R, LaneField<R>>(scene, lanes);
+    return step_lanes_in<R, LaneCoupled<R, LaneGravitonMap<R>>>(scene, lanes);
+  if (scene.way_count > 0)
+    return step_lanes_in<R, LaneCoupled<R, LaneShortestPath<R>>>(scene, lanes);
+  return step_lanes_in<R, LaneField<R>>(scene, lanes);
 }
 
 }  // namespace portalens

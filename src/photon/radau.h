@@ -151,12 +151,12 @@ struct Radau {
     return bends;
   }
 
-  /// Where a step of `bends` ends.
+  /// Where a step of `bends` ends; the direction's length is 1 but for the error of the step.
   template <class Real>
   [[nodiscard]] static StateOf<Real> end(StateOf<Real> state, const Bends<Real>& bends, Real h) {
     using namespace radau_details;
     return {state.position + (state.direction + bends.template sum<4>(end_place) * h) * h,
-            normalize(state.direction + bends.template sum<4>(end_turn) * h)};
+            state.direction + bends.template sum<4>(end_turn) * h};
   }
 
   template <class Acceleration>
@@ -168,7 +168,8 @@ struct Radau {
                          (found.sum<4>(polynomial[1]) +
                           (found.sum<4>(polynomial[2]) + found.sum<4>(polynomial[3]) * 0.5) * 0.5) *
                              0.5;
-    return {end(state, found, h), portalens::length(middle)};
+    const State arrived = end(state, found, h);
+    return {{arrived.position, normalize(arrived.direction)}, portalens::length(middle)};
   }
 
   /// η⁴ as a share of the tolerance, and λ: measured against the closed forms of one mass from near
