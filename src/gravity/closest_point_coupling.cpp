@@ -52,10 +52,26 @@ double ClosestPointCoupling::quiet(Vec3d x) const {
   return least;
 }
 
-double ClosestPointCoupling::calm(Vec3d x) const {
+double ClosestPointCoupling::calm(Vec3d x, int depth, std::uint32_t left_out) const {
   double least = std::numeric_limits<double>::infinity();
-  for (std::uint32_t a = 0; a < gates_.size(); ++a)
-    if (reach(a) > 0.0) least = std::min(least, std::fabs(gates_[a].face.distance(x) - reach(a)));
+  if (depth <= 0) return least;
+  for (std::uint32_t a = 0; a < gates_.size(); ++a) {
+    const double acts_within = reach(a, depth);
+    if (a == left_out || !(acts_within > 0.0)) continue;
+    const Gate& gate = gates_[a];
+    const Vec3d local = gate.face.frame().to_local(x);
+    const Vec3d place = gate.face.place(gate.face.nearest(local), local);
+    const double distance = length(local - place);
+    least = std::min(least, std::fabs(distance - acts_within));
+    if (!(distance < acts_within)) continue;
+    // Where it does not jump, the nearest point moves no faster than x does.
+    least = std::min(least, gate.face.calm(local));
+    const Vec3d beyond = gate.through.move(gate.face.frame().to_world(place));
+    for (const Source& source : sources_)
+      least = std::min(least,
+                       std::fabs(length(source.center - beyond) - std::sqrt(source.influence2)));
+    least = std::min(least, calm(beyond, depth - 1, gate.pair));
+  }
   return least;
 }
 

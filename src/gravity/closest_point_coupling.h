@@ -32,8 +32,8 @@ class ClosestPointCoupling {
     return decisions(x, depth_, no_portal, 0);
   }
   [[nodiscard]] double quiet(Vec3d x) const;
-  /// Of the reaches of all portals.
-  [[nodiscard]] double calm(Vec3d x) const;
+  /// Of the reaches of all portals, and of the influences behind them.
+  [[nodiscard]] double calm(Vec3d x) const { return calm(x, depth_, no_portal); }
   /// One part a chain of portals: all masses directly, as seen from the last of them. `places` are
   /// the nearest points, each on its own portal; `beyond` is the last, moved through; `distance`
   /// is the sum of |x - q|.
@@ -78,6 +78,7 @@ class ClosestPointCoupling {
   /// Adds the ways from x, which lies beyond the portals that `before` has passed.
   void add_parts(Vec3d x, int depth, std::uint32_t left_out, const PullPart& before,
                  std::vector<PullPart>& parts) const;
+  [[nodiscard]] double calm(Vec3d x, int depth, std::uint32_t left_out) const;
   [[nodiscard]] std::uint64_t decisions(Vec3d x, int depth, std::uint32_t left_out,
                                         std::uint64_t path) const;
 

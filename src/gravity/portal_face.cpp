@@ -1,6 +1,8 @@
 #include "gravity/portal_face.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace portalens {
@@ -59,6 +61,21 @@ Feature PortalFace::nearest_from_outside(double x, double y) const {
       best = {Feature::Kind::edge, i};
   }
   return best;
+}
+
+double PortalFace::calm(Vec3d local) const {
+  // Beside the polygon's column it moves steadily. Within, it jumps at the plane and, behind that,
+  // where another edge becomes the nearest.
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double first = -infinity, second = -infinity;
+  for (const FaceEdge& edge : edges_) {
+    const double outside = edge.outside(local.x, local.y);
+    second = std::max(second, std::min(first, outside));
+    first = std::max(first, outside);
+  }
+  if (first > 0.0) return first;
+  const double height = std::fabs(local.z);
+  return local.z >= -tolerance_ ? height : std::min(height, 0.5 * (first - second));
 }
 
 double PortalFace::distance(Vec3d x) const {

@@ -55,6 +55,9 @@ class PortalFace {
   /// of the polygon, behind it of the rim. Between edges equally near the lower index wins.
   [[nodiscard]] Feature nearest(Vec3d local) const;
 
+  /// Within this distance of `local` the nearest point does not jump.
+  [[nodiscard]] double calm(Vec3d local) const;
+
   /// The point of `feature` nearest to `local`, in local coordinates. An edge counts as its whole
   /// line and the face as its whole plane, so this is smooth in `local`.
   [[nodiscard]] Vec3d place(Feature feature, Vec3d local) const {

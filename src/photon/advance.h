@@ -11,6 +11,7 @@
 #include "photon/curve.h"
 #include "photon/engine.h"
 #include "photon/horizons.h"
+#include "photon/last_pull.h"
 #include "photon/obstacles.h"
 #include "photon/travel.h"
 
@@ -26,7 +27,7 @@ class Tracer {
         integrator_(integrator),
         field_(space.masses, coupling, space.physics.c),
         obstacles_(space.surfaces, space.portals),
-        gates_(middle_of(space.portals.portals())) {}
+        gates_(middle_of_portals(space)) {}
 
   [[nodiscard]] Arrival advance(const Photon& photon, Journey* journey) {
     journey_ = journey;
@@ -255,12 +256,14 @@ class Tracer {
       }
       good = share * h;
     }
-    if (!changed_) {
-      const double grazed = grazed_influence(curve);
-      if (grazed >= h) return h;
+    // What changes and changes back between the places looked at.
+    const double grazed = grazed_influence(curve, bad);
+    if (grazed < bad) {
       changed_ = true;
-      good = 0.0, bad = grazed;
+      bad = grazed;
+      good = 0.0;
     }
+    if (!changed_) return h;
     while (bad - good > tolerance) {
       const double middle = 0.5 * (good + bad);
       if (middle <= good || middle >= bad) break;
@@ -280,18 +283,17 @@ class Tracer {
     return (std::isfinite(surroundings_.quiet)) && field_.signature(x) != surroundings_.signature;
   }
 
-  /// Arc length in the middle of an influence that the curve only grazes, or its length.
-  [[nodiscard]] double grazed_influence(const Curve& curve) const {
-    const double h = curve.length();
-    double first = h;
-    const Vec3d a = curve.position(0.0), b = curve.position(h);
+  /// Arc length in the middle of an influence that the curve only grazes before `end`, or `end`.
+  [[nodiscard]] double grazed_influence(const Curve& curve, double end) const {
+    double first = end;
+    const Vec3d a = curve.position(0.0), b = curve.position(end);
     const Vec3d along = b - a;
     const double length2 = dot(along, along);
     for (const Mass& mass : field_.masses()) {
       if (std::isinf(mass.influence)) continue;
       const double share = dot(mass.center - a, along) / length2;
       if (share <= 0.0 || share >= 1.0) continue;
-      const double s = share * h;
+      const double s = share * end;
       if (s < first && !Field<C>::within(mass, a) && Field<C>::within(mass, curve.position(s)))
         first = s;
     }
@@ -330,67 +332,18 @@ class Tracer {
   /// error is a share m/d of it), and the photon has escaped.
   [[nodiscard]] bool far_from_all() {
     if (!space_.unbounded) return false;
-    double turning = 0.0, closeness = 0.0;
-    Vec3d kick, through = bending_.acceleration;
-    for (std::uint32_t i : surroundings_.inside) {
-      const Mass& mass = space_.masses[i];
-      if (!std::isinf(mass.influence)) return false;
-      const Vec3d to_mass = mass.center - travel_.state.position;
-      const double d = length(to_mass);
-      const double outward = -dot(to_mass, travel_.state.direction) / d;
-      if (outward < 0.9) return false;
-      const Vec3d across = turning_part(to_mass, travel_.state.direction);
-      const double b = length(across);
-      const double gm = mass.gm * field_.inverse_c2();
-      through -= attraction(to_mass, gm, mass.core * mass.core);
-      if (b == 0.0) continue;
-      // ∫ m b / (b² + s²)^(3/2) ds from here to infinity on the straight way = (m/b) (1 - outward).
-      const double rest = gm / d * (b / d) / (1.0 + outward);
-      turning += rest;
-      closeness += gm / d;
-      kick += across * (rest / b);
-    }
-    if (surroundings_.quiet == 0.0) {
-      const std::optional<Vec3d> rest = kick_through_portals(through);
-      if (!rest) return false;
-      turning += length(*rest);
-      closeness += length(through) * length(travel_.state.position - gates_);
-      kick += *rest;
-    }
-    if (turning > space_.physics.tolerance || turning * closeness > 0.02 * space_.physics.tolerance)
+    const auto rest =
+        last_pull(space_, travel_.state, surroundings_, bending_.acceleration, gates_);
+    if (!rest || rest->turning > space_.physics.tolerance ||
+        rest->turning * rest->closeness > 0.02 * space_.physics.tolerance)
       return false;
     const Ray ray{travel_.state.position, travel_.state.direction};
     const double reach = field_.free_flight(ray, 1e-7 * space_.extent, 1e3 * space_.extent);
     if (reach > 0.0 && std::isfinite(reach)) return false;
     if (obstacles_.first(ray, std::numeric_limits<double>::infinity(), travel_.start)) return false;
-    travel_.state.direction = normalize(travel_.state.direction + kick);
-    travel_.arrival.turning += turning;
+    travel_.state.direction = normalize(travel_.state.direction + rest->kick);
+    travel_.arrival.turning += rest->turning;
     return end(Fate::escaped);
-  }
-
-  /// What the pull of portals does from here to infinity, on a straight way; nothing if that can't
-  /// be told to a small share of the tolerance.
-  ///
-  /// All of it points to the portals, and falls off with the square of the length of ways that lead
-  /// through them, which are longer than the distance r by less than `size`. So each part does
-  /// r/(1 + outward) times what of it turns, as that of a mass would, with an error of a share
-  /// size/r; and no part turns by more than a share size/r of itself.
-  [[nodiscard]] std::optional<Vec3d> kick_through_portals(Vec3d pull) const {
-    const Vec3d from = travel_.state.position - gates_;
-    const double r = length(from), outward = dot(from, travel_.state.direction) / r;
-    const double size =
-        static_cast<double>(space_.physics.portal_gravity_depth + 1) * space_.extent;
-    if (!(r > size) || outward < 0.9) return std::nullopt;
-    if (length(pull) * size * size / (2.0 * r) > 0.02 * space_.physics.tolerance)
-      return std::nullopt;
-    return turning_part(pull, travel_.state.direction) * (r / (1.0 + outward));
-  }
-
-  [[nodiscard]] static Vec3d middle_of(std::span<const Portal> portals) {
-    Box box;
-    for (const Portal& portal : portals)
-      for (const Vec3d& vertex : portal.vertices) box.add(vertex);
-    return box.empty() ? Vec3d{} : box.middle();
   }
 
   /// Goes on to the end of a step.

@@ -55,7 +55,7 @@ template <class R>
 template <class R>
 [[nodiscard]] R until_sphere_on_curve(R ahead, R outside, R inward, R bend2) {
   const R square = ahead * ahead - outside;
-  const R root = sqrt(max(square, R(0)));
+  const R root = square * inverse_sqrt(max(square, R(1e-30)));
   const R s = ahead + select(outside < R(0), root, -root);
   // |at|² - R² = outside - 2 ahead s + (1 - inward) s² + bend2 s⁴/4, and one step of Newton's
   // method on it.

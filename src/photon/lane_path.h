@@ -36,17 +36,21 @@ struct LaneQuintic {
 };
 
 /// Where it vanishes: `at(u) * before` is positive at `low` and negative at `high`, however flat it
-/// is between. Newton's method, kept within what is left.
+/// is between. Newton's method, kept within what is left; a lane that has come to rest stays there,
+/// whatever the others do.
 template <class R, class Function>
 [[nodiscard]] R crossing(const Function& function, R guess, R before, R low, R high) {
   R u = guess;
-  for (int i = 0; i < 4; ++i) {
+  for (int i = 0; i < 5; ++i) {
     const R at = function.at(u);
     const auto early = at * before > R(0);
     low = select(early, u, low);
     high = select(early, high, u);
-    const R better = u - at / function.slope(u);
-    u = select((better >= low) & (better <= high), better, (low + high) * R(0.5));
+    const R newton = u - at / function.slope(u);
+    const R better = select((newton >= low) & (newton <= high), newton, (low + high) * R(0.5));
+    const auto moves = abs(better - u) > R(2e-6);
+    u = select(moves, better, u);
+    if (!any(moves)) break;
   }
   return u;
 }

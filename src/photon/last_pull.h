@@ -1,0 +1,30 @@
+/// \file
+/// What is still to come of the turning of a photon that flies off from infinite influences.
+#pragma once
+
+#include <optional>
+
+#include "gravity/field.h"
+#include "photon/space.h"
+#include "photon/step.h"
+
+namespace portalens {
+
+struct LastPull {
+  double turning = 0.0;    ///< radians, from here to infinity
+  double closeness = 0.0;  ///< Σ m/d of what pulls: the share by which `turning` may err
+  Vec3d kick;              ///< what it adds to the direction
+};
+
+/// From here to infinity on a straight way, to first order in m/d. Nothing where that can't be
+/// told: within a finite influence, on a way that does not lead outwards, or too near to portals.
+/// @param surroundings  at the photon's place, and `acceleration` the pull there over c²
+/// @param gates         the middle of all portals
+[[nodiscard]] std::optional<LastPull> last_pull(const Space& space, const State& state,
+                                                const Surroundings& surroundings,
+                                                Vec3d acceleration, Vec3d gates);
+
+/// Of all their vertices; the origin if there are none.
+[[nodiscard]] Vec3d middle_of_portals(const Space& space);
+
+}  // namespace portalens
