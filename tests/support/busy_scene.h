@@ -21,7 +21,7 @@ seed = 5
 portal_gravity = "closest-point"
 min_force = 4.0
 tolerance = 1e-3
-max_steps = 40
+max_steps = 16
 [environment]
 color = [0.2, 0.3, 0.5]
 [[material]]
