@@ -109,10 +109,26 @@ ChannelPicture all_channels_of(OIIO::ImageInput& input) {
   return picture;
 }
 
+/// A file's bytes for the decoder. OpenImageIO's own reader goes to before the first byte where a
+/// file says that something lies there.
+class MemoryReader : public OIIO::Filesystem::IOMemReader {
+ public:
+  explicit MemoryReader(const std::string& bytes) : IOMemReader(bytes.data(), bytes.size()) {}
+  std::size_t read(void* to, std::size_t count) override {
+    const std::size_t got = pread(to, count, m_pos);
+    m_pos += static_cast<std::int64_t>(got);
+    return got;
+  }
+  std::size_t pread(void* to, std::size_t count, std::int64_t from) override {
+    if (from < 0 || static_cast<std::size_t>(from) >= size()) return 0;
+    return IOMemReader::pread(to, std::min(count, size() - static_cast<std::size_t>(from)), from);
+  }
+};
+
 /// Opens a picture that lies in memory, and hands it to `take`.
 template <class Take>
 auto opened(const std::string& bytes, ImageFormat format, const Take& take) {
-  OIIO::Filesystem::IOMemReader reader(bytes.data(), bytes.size());
+  MemoryReader reader(bytes);
   const auto input = OIIO::ImageInput::create(name_of(format), false);
   if (!input || !input->supports("ioproxy") || !input->set_ioproxy(&reader)) {
     throw Refusal{"is of a kind this build can't read", "save it as EXR or PNG"};
