@@ -32,10 +32,16 @@ const SceneFolder& folder() {
   return made;
 }
 
+/// Paths through more portals than that cost more than a fuzzer has: 64 photons take seconds.
+constexpr std::int64_t deepest = 2;
+
 /// The scene as it is but for what bounds the work.
 Scene bounded(const std::filesystem::path& file) {
   Scene scene = read_scene(file);
   Faults faults;
+  if (const Value* depth = scene.physics.find("portal_gravity_depth"))
+    if (const auto* number = std::get_if<std::int64_t>(&depth->data); number && *number > deepest)
+      override_value(scene, "physics.portal_gravity_depth=" + std::to_string(deepest), faults);
   for (const char* setting :
        {"film.width=8", "film.height=8", "sampler.samples=1", "physics.max_steps=200",
         "shading.max_bounces=2", "shading.max_crossings=8", "shading.shadow_samples=1"})
