@@ -47,8 +47,9 @@ class Watchers : public Progress {
   std::optional<ProgressBar> bar_;
 };
 
-Scene asked_scene(const RenderArguments& arguments) {
+Scene asked_scene(RenderArguments& arguments) {
   Scene scene = read_with_settings(arguments.scene);
+  keep_shape(arguments, scene);
   Faults faults;
   for (const auto& [key, value] : arguments.overrides)
     override_value(scene, key + "=" + value, faults);
@@ -107,7 +108,7 @@ void look_at_memory(const World& world, const Assignment& assignment,
                              memory_text(estimate.total()), memory_text(machine_memory()));
 }
 
-int render_scene(const RenderArguments& arguments) {
+int render_scene(RenderArguments& arguments) {
   Signals signals;
   const Scene scene = asked_scene(arguments);
   const std::filesystem::path picture =

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "app/choices.h"
@@ -31,8 +32,10 @@ void add_picture_options(CLI::App& command, RenderArguments& arguments) {
                   "Picture to write: .png, or .exr (linear, with all the settings), or .part (for "
                   "portalens merge); by default the scene's name with .png, in the current folder")
       ->type_name("FILE");
-  add_override(command, arguments, "--width", "film.width", "Width of the picture, pixels");
-  add_override(command, arguments, "--height", "film.height", "Height of the picture, pixels");
+  add_override(command, arguments, "--width", "film.width",
+               "Width of the picture, pixels; if it is given alone, the height follows");
+  add_override(command, arguments, "--height", "film.height",
+               "Height of the picture, pixels; if it is given alone, the width follows");
   add_override(command, arguments, "--samples", "sampler.samples", "Camera samples a pixel");
   add_crop_option(command, arguments.crop,
                   "Take only the pixels X0 <= x < X1, Y0 <= y < Y1, from the top left");
@@ -90,6 +93,24 @@ void add_work_options(CLI::App& command, RenderArguments& arguments) {
       ->type_name("automatic|scalar");
 }
 
+/// Whether the command line says how long that side of the film is.
+bool gives(const RenderArguments& arguments, const std::string& key) {
+  const auto& options = arguments.overrides;
+  const auto& settings = arguments.scene.settings;
+  return std::any_of(options.begin(), options.end(),
+                     [&](const auto& option) { return option.first == key; }) ||
+         std::any_of(settings.begin(), settings.end(),
+                     [&](const std::string& setting) { return setting.rfind(key + "=", 0) == 0; });
+}
+
+/// What the scene says of a side of its film; 0 where that is no number of pixels.
+std::int64_t side_in(const Scene& scene, const char* key, int otherwise) {
+  const Value* value = scene.film.find(key);
+  if (!value) return otherwise;
+  const auto* number = std::get_if<std::int64_t>(&value->data);
+  return number ? std::clamp<std::int64_t>(*number, 0, 1 << 20) : 0;
+}
+
 /// The layers that --layers asks for, each once, in the order of `Layer`.
 std::vector<Layer> asked_layers(const std::vector<std::string>& names) {
   std::vector<Layer> layers;
@@ -136,6 +157,23 @@ Window checked_crop(const std::vector<int>& crop, const Window& film) {
                        fmt::format("0 <= X0 < X1 <= {} and 0 <= Y0 < Y1 <= {} are needed",
                                    film.width(), film.height())}});
   return window;
+}
+
+void keep_shape(RenderArguments& arguments, const Scene& scene) {
+  const std::string width = "film.width", height = "film.height";
+  const bool by_width = !gives(arguments, height);
+  const std::string &given = by_width ? width : height, &other = by_width ? height : width;
+  if (gives(arguments, other)) return;
+  const std::int64_t w = side_in(scene, "width", Film{}.width);
+  const std::int64_t h = side_in(scene, "height", Film{}.height);
+  for (const auto& [key, value] : arguments.overrides) {
+    if (key != given || w < 1 || h < 1) continue;
+    const double ratio = by_width ? static_cast<double>(h) / static_cast<double>(w)
+                                  : static_cast<double>(w) / static_cast<double>(h);
+    const double side = std::round(std::stod(value) * ratio);
+    arguments.overrides.emplace_back(other, fmt::format("{:.0f}", std::max(1.0, side)));
+    return;
+  }
 }
 
 RenderOptions asked_options(const RenderArguments& arguments, const World& world) {

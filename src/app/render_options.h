@@ -37,6 +37,10 @@ void add_crop_option(CLI::App& command, std::vector<int>& crop, const std::strin
 /// @throws SceneError if it is no part of the film
 [[nodiscard]] Window checked_crop(const std::vector<int>& crop, const Window& film);
 
+/// Where only one side of the picture is given, adds the other to the overrides: the picture keeps
+/// the shape that it has in the scene.
+void keep_shape(RenderArguments& arguments, const Scene& scene);
+
 /// What the arguments ask of a world: the options with crop, samples and layers.
 /// @throws SceneError if the world's picture has no such part
 [[nodiscard]] RenderOptions asked_options(const RenderArguments& arguments, const World& world);

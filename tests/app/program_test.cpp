@@ -134,6 +134,27 @@ TEST(Render, OptionsStandAboveTheFile) {
   EXPECT_EQ(picture_in(folder, "big.exr").at(0, 0)[0], 1.0f);
 }
 
+TEST(Render, APictureKeepsItsShapeWhereOnlyOneSideIsGiven) {
+  const SceneFolder folder;
+  folder.write("tiny.toml", tiny);  // 8 x 6
+  struct Given {
+    std::vector<std::string> words;
+    int width, height;
+  };
+  for (const Given& given :
+       {Given{{"--width", "16"}, 16, 12}, Given{{"--height", "3"}, 4, 3},
+        Given{{"--width", "1"}, 1, 1}, Given{{"--width", "16", "--set", "film.height=5"}, 16, 5},
+        Given{{"--set", "film.width=16"}, 16, 6},
+        Given{{"--set", "film.width=24", "--height", "2"}, 24, 2}}) {
+    std::vector<std::string> words = {"render", "tiny.toml", "--json"};
+    words.insert(words.end(), given.words.begin(), given.words.end());
+    const Outcome outcome = run_portalens(folder.path(), words);
+    ASSERT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_EQ(json::parse(outcome.output)["width"], given.width) << quoted(words);
+    EXPECT_EQ(json::parse(outcome.output)["height"], given.height) << quoted(words);
+  }
+}
+
 TEST(Render, ACropIsThePartOfTheWholePicture) {
   const SceneFolder folder;
   folder.write("tiny.toml", tiny);
