@@ -68,8 +68,8 @@ double ClosestPointCoupling::calm(Vec3d x, int depth, std::uint32_t left_out) co
     least = std::min(least, gate.face.calm(local));
     const Vec3d beyond = gate.through.move(gate.face.frame().to_world(place));
     for (const Source& source : sources_)
-      least = std::min(least,
-                       std::fabs(length(source.center - beyond) - std::sqrt(source.influence2)));
+      least =
+          std::min(least, std::fabs(length(source.center - beyond) - std::sqrt(source.influence2)));
     least = std::min(least, calm(beyond, depth - 1, gate.pair));
   }
   return least;
