@@ -322,7 +322,7 @@ class Tracer {
       free_length_ -= h;
       return std::nullopt;
     }
-    const double flatness = 0.1 * space_.physics.tolerance * (travel_.arrival.length + h);
+    const double flatness = 0.5 * space_.physics.tolerance * (travel_.arrival.length + h);
     free_length_ = 0.0;
     return obstacles_.first(curve, flatness, travel_.start);
   }

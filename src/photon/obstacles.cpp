@@ -40,10 +40,11 @@ std::optional<Encounter> Obstacles::in_piece(const Curve& curve, const Piece& pi
   // may seem to be as far off.
   const double finest = 1e-13 * (length(piece.x0) + chord_length);
   const double close = std::fmax(sagitta, finest);
-  if (sagitta > 0.0 && !surfaces_.near(chord, close) && !portals_.near(chord, close))
-    return std::nullopt;
+  const bool flat = sagitta <= std::fmax(flatness, finest);
+  // To ask what is met is as cheap as whether anything is near.
+  if (!flat && !surfaces_.near(chord, close) && !portals_.near(chord, close)) return std::nullopt;
 
-  if (sagitta <= std::fmax(flatness, finest)) {
+  if (flat) {
     const auto found =
         first(Ray{piece.x0, along / chord_length}, chord_length, start.after(piece.s0));
     if (!found || sagitta <= finest) {

@@ -166,7 +166,7 @@ TEST(Accelerator, APathThatLeavesAnEdgeDoesNotMeetTheNeighbouringFace) {
   }
 }
 
-TEST(Accelerator, ClearanceIsTheDistanceToTheNearestSurfaceUpToTheLimit) {
+TEST(Accelerator, ClearanceIsThreeQuartersOfTheDistanceAtLeast) {
   for (const double away : {0.0, 1e5}) {
     const Vec3d at{-away, 0, away};
     const std::vector<Shape> shapes = strewn(at, 40);
@@ -178,7 +178,7 @@ TEST(Accelerator, ClearanceIsTheDistanceToTheNearestSurfaceUpToTheLimit) {
       const double truth = std::min(limit, clearance_of_all(shapes, {x, x}));
       const double found = accelerator.clearance(x, limit);
       EXPECT_LE(found, truth + 1e-12);
-      EXPECT_GE(found, i % 10 ? truth - 1e-12 : 0.9 * truth);
+      EXPECT_GE(found, 0.75 * truth - 1e-12);
     }
   }
 }
@@ -287,8 +287,10 @@ TEST(Accelerator, AMillionTrianglesAnswerRightly) {
     const double radius = length(ray.at(hit->distance));
     EXPECT_LE(radius, 1 + 1e-12);
     EXPECT_GE(radius, 1 - depth);
-    EXPECT_NEAR(accelerator.clearance(ray.origin, 0.2), 1 - length(ray.origin), depth);
-    EXPECT_FALSE(accelerator.near({ray.origin, ray.origin * 0.95}, 0.009));
+    const double truth = 1 - length(ray.origin), clear = accelerator.clearance(ray.origin, 0.2);
+    EXPECT_LE(clear, truth + 1e-12);
+    EXPECT_GE(clear, 0.75 * (truth - depth));
+    EXPECT_FALSE(accelerator.near({ray.origin, ray.origin * 0.95}, 0.007));
     EXPECT_TRUE(accelerator.near({ray.origin, ray.origin * 1.12}, 0.001));
   }
 }
