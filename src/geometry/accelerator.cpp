@@ -101,7 +101,10 @@ bool Accelerator::Implementation::left_behind(const Search& search, const Surfac
   const Departure& departure = search.departure;
   if (hit.shape != departure.shape) return false;
   const Ray& ray = search.ray;
-  const Vec3d normal = surface_at(hit.shape, hit.face, ray.at(hit.distance)).geometric_normal;
+  const auto* quad = std::get_if<Quad>(&shapes[hit.shape]);
+  const Vec3d normal = quad
+                           ? quad->normal()
+                           : surface_at(hit.shape, hit.face, ray.at(hit.distance)).geometric_normal;
   const double slope = dot(ray.direction, normal);
   if (!(slope * departure.side > 0.0)) return false;
   if (hit.face == departure.face && hit.distance <= departure.reach) return true;

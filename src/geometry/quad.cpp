@@ -138,7 +138,12 @@ Quad::Quad(std::span<const Vec3d> vertices, std::span<const TextureCoordinates> 
   const Vec3d edge = vertices[1] - vertices[0];
   right_ = normalize(edge - normal_ * dot(edge, normal_));
   up_ = cross(normal_, right_);
+  first_edge_ = flat(edge);
+  last_edge_ = flat(vertices[count_ - 1] - vertices[0]);
+  if (count_ == 4) skew_ = flat(vertices[0] - vertices[1] + (vertices[2] - vertices[3]));
 }
+
+TextureCoordinates Quad::flat(Vec3d d) const { return {dot(d, right_), dot(d, up_)}; }
 
 Box Quad::bounds() const {
   Box box;
@@ -152,13 +157,9 @@ std::optional<Contact> Quad::intersect(const Ray& ray, double low, double high) 
   return Contact{*distance, 0};
 }
 
-TextureCoordinates Quad::own_coordinates(Vec3d x) const {
-  const auto flat = [&](Vec3d d) { return TextureCoordinates{dot(d, right_), dot(d, up_)}; };
-  const TextureCoordinates p = flat(x - vertices_[0]), e = flat(vertices_[1] - vertices_[0]);
-  if (count_ == 4)
-    return inverse_bilinear(p, e, flat(vertices_[3] - vertices_[0]),
-                            flat(vertices_[0] - vertices_[1] + (vertices_[2] - vertices_[3])));
-  const TextureCoordinates f = flat(vertices_[2] - vertices_[0]);
+TextureCoordinates Quad::own_coordinates(TextureCoordinates p) const {
+  const TextureCoordinates &e = first_edge_, &f = last_edge_;
+  if (count_ == 4) return inverse_bilinear(p, e, f, skew_);
   const double second = std::clamp(cross2(p, f) / cross2(e, f), 0.0, 1.0);
   const double third = std::clamp(cross2(e, p) / cross2(e, f), 0.0, 1.0 - second);
   return {second, third};
@@ -168,7 +169,8 @@ SurfacePoint Quad::surface_at(Vec3d x, std::uint32_t) const {
   SurfacePoint point;
   point.position = x - normal_ * dot(x - vertices_[0], normal_);
   point.normal = point.geometric_normal = normal_;
-  const auto [s, t] = own_coordinates(x);
+  const TextureCoordinates local = flat(x - vertices_[0]);
+  const auto [s, t] = own_coordinates(local);
   const std::array<double, 4> weights =
       count_ == 4
           ? std::array<double, 4>{(1.0 - s) * (1.0 - t), s * (1.0 - t), s * t, (1.0 - s) * t}
@@ -178,8 +180,8 @@ SurfacePoint Quad::surface_at(Vec3d x, std::uint32_t) const {
     point.v += weights[i] * texture_coordinates_[i][1];
   }
   point.flat = true;
-  point.along = dot(x - vertices_[0], right_);
-  point.across = dot(x - vertices_[0], up_);
+  point.along = local[0];
+  point.across = local[1];
   return point;
 }
 

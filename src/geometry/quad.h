@@ -45,12 +45,17 @@ class Quad {
   [[nodiscard]] SurfacePoint sample(double u1, double u2) const;
 
  private:
-  [[nodiscard]] TextureCoordinates own_coordinates(Vec3d x) const;
+  /// A vector of the plane in (right, up).
+  [[nodiscard]] TextureCoordinates flat(Vec3d d) const;
+  /// From 0 to 1 each way, of a place in (right, up) from the first vertex.
+  [[nodiscard]] TextureCoordinates own_coordinates(TextureCoordinates place) const;
 
   std::array<Vec3d, 4> vertices_;
   std::array<TextureCoordinates, 4> texture_coordinates_;
   std::size_t count_;
   Vec3d normal_, right_, up_;
+  /// In (right, up): the edges from the first vertex, and what the one opposite adds to the second.
+  TextureCoordinates first_edge_{}, last_edge_{}, skew_{};
 };
 
 }  // namespace portalens

@@ -25,17 +25,22 @@ struct PixelSample {
 
 /// The photon of that sample, as `render` sends it: through the pixel's centre if there is but one.
 /// `sample` and `slot` are left 0.
-[[nodiscard]] inline Photon camera_photon(const World& world, const PixelSample& at) {
+/// @param view  the world's camera behind its film
+[[nodiscard]] inline Photon camera_photon(const World& world, const FilmCamera& view,
+                                          const PixelSample& at) {
   const PixelSampler sampler(static_cast<std::uint32_t>(at.x), static_cast<std::uint32_t>(at.y),
                              static_cast<std::uint64_t>(world.sampling.seed));
   const auto [u, v] =
       world.sampling.samples == 1 ? std::array<double, 2>{0.5, 0.5} : sampler.position(at.sample);
-  const Ray ray = world.camera.ray(at.x + u, at.y + v, world.film.width, world.film.height);
+  const Ray ray = view.ray(at.x + u, at.y + v);
   Photon photon;
   photon.position = ray.origin;
   photon.direction = ray.direction;
   photon.random_key = sampler.random_key(at.sample);
   return photon;
+}
+[[nodiscard]] inline Photon camera_photon(const World& world, const PixelSample& at) {
+  return camera_photon(world, FilmCamera(world.camera, world.film.width, world.film.height), at);
 }
 
 /// The photon through a pixel's centre, with the random numbers of its first sample.

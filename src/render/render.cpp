@@ -117,8 +117,9 @@ class TileTaker {
 
   [[nodiscard]] std::vector<Photon> camera_photons(std::uint64_t count) const {
     std::vector<Photon> photons(count);
+    const FilmCamera view(world_.camera, world_.film.width, world_.film.height);
     for (std::uint64_t i = 0; i < count; ++i) {
-      photons[i] = camera_photon(world_, place(done_ + i));
+      photons[i] = camera_photon(world_, view, place(done_ + i));
       photons[i].sample = photons[i].slot = static_cast<std::uint32_t>(i);
     }
     return photons;

@@ -7,10 +7,11 @@
 namespace portalens {
 namespace {
 
+/// For whole numbers of any size.
+bool is_even(double whole) { return 2.0 * std::floor(0.5 * whole) == whole; }
+
 /// Whether a + b is even, for whole numbers of any size.
-bool even_sum(double a, double b) {
-  return (std::fmod(a, 2.0) == 0.0) == (std::fmod(b, 2.0) == 0.0);
-}
+bool even_sum(double a, double b) { return is_even(a) == is_even(b); }
 
 /// The remainder of the floored division, in [0, period).
 double wrapped(double x, double period) {

@@ -109,16 +109,27 @@ Camera Camera::from(Parameters& parameters, const std::optional<Box>& whole) {
 }
 
 Ray Camera::ray(double film_x, double film_y, int width, int height) const {
-  const double aspect = static_cast<double>(width) / height;
-  const double across = 2.0 * film_x / width - 1.0, above = 1.0 - 2.0 * film_y / height;
-  if (projection == Projection::orthographic) {
-    const double half = 0.5 * size;
-    return {position + right * (across * half * aspect) + up * (above * half), forward};
-  }
-  const double half = std::tan(fov * std::numbers::pi / 360.0);
-  const double half_height = spans_width(fov_axis, width, height) ? half / aspect : half;
-  const Vec3d way = forward + right * (across * half_height * aspect) + up * (above * half_height);
-  return {position, normalize(way)};
+  return FilmCamera(*this, width, height).ray(film_x, film_y);
+}
+
+FilmCamera::FilmCamera(const Camera& camera, int width, int height)
+    : camera_(camera),
+      width_(width),
+      height_(height),
+      aspect_(static_cast<double>(width) / height),
+      half_height_(0.5 * camera.size) {
+  if (camera.projection == Projection::orthographic) return;
+  const double half = std::tan(camera.fov * std::numbers::pi / 360.0);
+  half_height_ = spans_width(camera.fov_axis, width, height) ? half / aspect_ : half;
+}
+
+Ray FilmCamera::ray(double film_x, double film_y) const {
+  const double across = 2.0 * film_x / width_ - 1.0, above = 1.0 - 2.0 * film_y / height_;
+  const Vec3d aside = camera_.right * (across * half_height_ * aspect_);
+  const Vec3d upwards = camera_.up * (above * half_height_);
+  if (camera_.projection == Projection::orthographic)
+    return {camera_.position + aside + upwards, camera_.forward};
+  return {camera_.position, normalize(camera_.forward + aside + upwards)};
 }
 
 }  // namespace portalens

@@ -33,4 +33,19 @@ struct Camera {
   [[nodiscard]] Ray ray(double film_x, double film_y, int width, int height) const;
 };
 
+/// A camera with a film of some size: for many rays, what they share is worked out once. Borrows
+/// the camera.
+class FilmCamera {
+ public:
+  FilmCamera(const Camera& camera, int width, int height);
+
+  /// As `Camera::ray`.
+  [[nodiscard]] Ray ray(double film_x, double film_y) const;
+
+ private:
+  const Camera& camera_;
+  double width_, height_, aspect_;
+  double half_height_;  ///< of the view: an angle's tangent, or a length
+};
+
 }  // namespace portalens
