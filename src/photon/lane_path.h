@@ -110,6 +110,13 @@ struct LaneDistance {
   [[nodiscard]] R slope(R u) const {
     return R(2) * dot(path.place.at(u) - center, path.place.slope(u));
   }
+  /// Where it vanishes as seen from `u`, where it is negative, if the path were straight there:
+  /// before `u` with a side of -1, after it with 1. A path that grazes is met thus, too.
+  [[nodiscard]] R surface_from(R u, R side) const {
+    const R speed2 = dot(path.place.c1, path.place.c1), half_slope = slope(u) * R(0.5);
+    const R root = sqrt(max(half_slope * half_slope - at(u) * speed2, R(0)));
+    return min(max(u + (side * root - half_slope) / speed2, R(0)), R(1));
+  }
   /// The share of the step where it is least, or nearly: two steps of Newton's method that take the
   /// path for straight near it.
   [[nodiscard]] R nearest() const {

@@ -143,8 +143,8 @@ class LaneStepper {
       const R inside = select(outside.at(nearest) <= R(0), nearest, R(1));
       const Mask falls = (outside.at(inside) <= R(0)) & (dot(from, path.place.c1) < R(0));
       if (!any(falls)) continue;
-      found.offer(falls, crossing(outside, inside * R(0.5), R(1), R(0), inside), LaneEvent::horizon,
-                  R(i));
+      const R guess = outside.surface_from(inside, R(-1));
+      found.offer(falls, crossing(outside, guess, R(1), R(0), inside), LaneEvent::horizon, R(i));
     }
   }
 
@@ -216,8 +216,10 @@ class LaneStepper {
                           !(leaving & (nearest <= R(0)));
       const Mask exits = (f0 <= R(0)) & (f1 > R(0));
       if (!any(enters | exits)) continue;
-      const R last = select(exits | (f1 <= R(0)), R(1), nearest);
-      const R u = crossing(outside, last * R(0.5), select(enters, R(1), R(-1)), R(0), last);
+      const R before = select(enters, R(1), R(-1));
+      const R inside = select(exits, R(0), select(f1 <= R(0), R(1), nearest));
+      const R last = select(exits, R(1), inside);
+      const R u = crossing(outside, outside.surface_from(inside, -before), before, R(0), last);
       found.offer(enters | exits, u, LaneEvent::hit, R(sphere.shape));
     }
   }
