@@ -40,13 +40,13 @@ class Field {
   Field(std::span<const Mass> masses, const C& coupling, double c)
       : masses_(masses), coupling_(coupling), inverse_c2_(1.0 / (c * c)) {}
 
-  [[nodiscard]] std::span<const Mass> masses() const { return masses_; }
   [[nodiscard]] double inverse_c2() const { return inverse_c2_; }
 
-  void surround(Vec3d anchor, Surroundings& out) const {
+  /// @param near  the masses that may act there, ascending
+  void surround(Vec3d anchor, std::span<const std::uint32_t> near, Surroundings& out) const {
     out.anchor = anchor;
     out.inside.clear();
-    for (std::uint32_t i = 0; i < masses_.size(); ++i)
+    for (const std::uint32_t i : near)
       if (within(masses_[i], anchor)) out.inside.push_back(i);
     out.quiet = coupling_.quiet(anchor);
     out.signature = coupling_.signature(anchor);

@@ -14,6 +14,7 @@
 #include "photon/last_pull.h"
 #include "photon/obstacles.h"
 #include "photon/travel.h"
+#include "photon/vicinity.h"
 
 namespace portalens {
 
@@ -26,6 +27,7 @@ class Tracer {
       : space_(space),
         integrator_(integrator),
         field_(space.masses, coupling, space.physics.c),
+        vicinity_(space.masses),
         obstacles_(space.surfaces, space.portals),
         gates_(middle_of_portals(space)) {}
 
@@ -55,7 +57,8 @@ class Tracer {
     Arrival& arrival = travel_.arrival;
     if (!is_finite(travel_.state.position) || !is_finite(travel_.state.direction))
       return end(Fate::lost);
-    if (const auto mass = horizon_around(space_.masses, travel_.state.position))
+    vicinity_.cover(travel_.state.position, 0.0);
+    if (const auto mass = horizon_around(space_.masses, vicinity_.near(), travel_.state.position))
       return absorb(*mass);
     if (arrival.turning > physics.max_turning) return end(Fate::trapped);
     if (arrival.steps >= physics.max_steps || arrival.length > physics.max_length)
@@ -63,7 +66,9 @@ class Tracer {
     ++arrival.steps;
 
     if (restless_) {
-      field_.surround(ahead(), surroundings_);
+      const Vec3d anchor = ahead();
+      vicinity_.cover(anchor, 0.0);
+      field_.surround(anchor, vicinity_.near(), surroundings_);
       if (surroundings_.silent()) return fly();
       bending_ = field_.bending(travel_.state.position, travel_.state.direction, surroundings_);
       restless_ = false;
@@ -123,7 +128,8 @@ class Tracer {
     std::optional<std::uint32_t> swallowed;
     for (std::uint32_t i = 0; i < space_.masses.size(); ++i) {
       const Mass& mass = space_.masses[i];
-      if (!mass.horizon || mass.schwarzschild == 0.0) continue;
+      // Most lie deep within an influence, where the flight ends.
+      if (!mass.has_horizon() || mass.schwarzschild < mass.influence) continue;
       const double at = field_.entry(mass.center, mass.schwarzschild, ray);
       if (at <= distance && std::isfinite(at)) distance = at, swallowed = i;
     }
@@ -145,7 +151,7 @@ class Tracer {
         curve = try_step(h);
       }
     }
-    const auto swallowed = first_horizon(space_.masses, curve);
+    const auto swallowed = first_horizon(space_.masses, vicinity_.near(), curve);
     const double limit = swallowed ? swallowed->distance : std::numeric_limits<double>::infinity();
     const auto met = obstacle_on(curve);
     if (swallowed && (!met || limit <= met->distance)) {
@@ -166,7 +172,8 @@ class Tracer {
     return false;
   }
 
-  [[nodiscard]] double proposed_length() const {
+  [[nodiscard]] double proposed_length() {
+    const double longest = 2.0 * space_.extent + space_.physics.max_length;
     double h;
     if constexpr (I::fixed_step) {
       h = integrator_.length;
@@ -174,17 +181,20 @@ class Tracer {
       h = integrator_.propose(bending_.stiffness, bending_.nearness);
       // Within reach of a portal whose surroundings do not pull: nothing to choose a step from.
       if (bending_.nearness == 0.0) h = space_.extent / 64.0;
-      h = std::fmin(h, straight_exit());
     }
-    return std::fmin(std::fmax(h, 1e-9 * space_.extent),
-                     2.0 * space_.extent + space_.physics.max_length);
+    // The path may bend out of its length by a little, its polynomial by some more.
+    vicinity_.cover(travel_.state.position, 1.5 * std::fmin(h, longest));
+    if constexpr (!I::fixed_step) h = std::fmin(h, straight_exit());
+    return std::fmin(std::fmax(h, 1e-9 * space_.extent), longest);
   }
 
-  /// The distance to the nearest boundary of an influence, along the parabola of the path.
+  /// The distance to the nearest boundary of an influence, along the parabola of the path; those
+  /// farther off than the vicinity need not be known.
   [[nodiscard]] double straight_exit() const {
     double least = std::numeric_limits<double>::infinity();
     const Ray ray{travel_.state.position, travel_.state.direction};
-    for (const Mass& mass : field_.masses()) {
+    for (const std::uint32_t i : vicinity_.near()) {
+      const Mass& mass = space_.masses[i];
       if (std::isinf(mass.influence)) continue;
       double at = Field<C>::entry(mass.center, mass.influence, ray);
       if (at == 0.0) at = exit(mass, ray);
@@ -274,11 +284,10 @@ class Tracer {
 
   [[nodiscard]] bool differs(Vec3d x) const {
     std::size_t next = 0;
-    const auto masses = field_.masses();
-    for (std::uint32_t i = 0; i < masses.size(); ++i) {
+    for (const std::uint32_t i : vicinity_.near()) {
       const bool was = next < surroundings_.inside.size() && surroundings_.inside[next] == i;
       if (was) ++next;
-      if (was != Field<C>::within(masses[i], x)) return true;
+      if (was != Field<C>::within(space_.masses[i], x)) return true;
     }
     return (std::isfinite(surroundings_.quiet)) && field_.signature(x) != surroundings_.signature;
   }
@@ -289,7 +298,8 @@ class Tracer {
     const Vec3d a = curve.position(0.0), b = curve.position(end);
     const Vec3d along = b - a;
     const double length2 = dot(along, along);
-    for (const Mass& mass : field_.masses()) {
+    for (const std::uint32_t i : vicinity_.near()) {
+      const Mass& mass = space_.masses[i];
       if (std::isinf(mass.influence)) continue;
       const double share = dot(mass.center - a, along) / length2;
       if (share <= 0.0 || share >= 1.0) continue;
@@ -369,6 +379,7 @@ class Tracer {
   const Space& space_;
   const I& integrator_;
   Field<C> field_;
+  Vicinity vicinity_;
   Obstacles obstacles_;
   Vec3d gates_;  ///< the middle of all portals
 

@@ -44,9 +44,11 @@ bool surely_misses(const Mass& mass, const Curve& curve) {
 
 }  // namespace
 
-std::optional<HorizonContact> first_horizon(std::span<const Mass> masses, const Curve& curve) {
+std::optional<HorizonContact> first_horizon(std::span<const Mass> masses,
+                                            std::span<const std::uint32_t> near,
+                                            const Curve& curve) {
   std::optional<HorizonContact> first;
-  for (std::uint32_t i = 0; i < masses.size(); ++i) {
+  for (const std::uint32_t i : near) {
     if (!masses[i].has_horizon() || surely_misses(masses[i], curve)) continue;
     const auto at = contact(masses[i], curve);
     if (at && (!first || *at < first->distance)) first = HorizonContact{i, *at};

@@ -17,9 +17,10 @@ struct HorizonContact {
 };
 
 /// The first mass within whose horizon `x` lies.
-[[nodiscard]] inline std::optional<std::uint32_t> horizon_around(std::span<const Mass> masses,
-                                                                 Vec3d x) {
-  for (std::uint32_t i = 0; i < masses.size(); ++i) {
+/// @param near  those to ask, ascending
+[[nodiscard]] inline std::optional<std::uint32_t> horizon_around(
+    std::span<const Mass> masses, std::span<const std::uint32_t> near, Vec3d x) {
+  for (const std::uint32_t i : near) {
     const Vec3d d = masses[i].center - x;
     if (masses[i].has_horizon() && dot(d, d) <= masses[i].schwarzschild * masses[i].schwarzschild)
       return i;
@@ -28,7 +29,9 @@ struct HorizonContact {
 }
 
 /// The first horizon that the curve meets: sought at its end and at its closest approach.
+/// @param near  the masses to ask, ascending
 [[nodiscard]] std::optional<HorizonContact> first_horizon(std::span<const Mass> masses,
+                                                          std::span<const std::uint32_t> near,
                                                           const Curve& curve);
 
 }  // namespace portalens
