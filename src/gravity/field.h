@@ -38,7 +38,10 @@ template <class C>
 class Field {
  public:
   Field(std::span<const Mass> masses, const C& coupling, double c)
-      : masses_(masses), coupling_(coupling), inverse_c2_(1.0 / (c * c)) {}
+      : masses_(masses), coupling_(coupling), inverse_c2_(1.0 / (c * c)) {
+    influences_.reserve(masses.size());
+    for (const Mass& mass : masses) influences_.push_back({mass.center, mass.influence});
+  }
 
   [[nodiscard]] double inverse_c2() const { return inverse_c2_; }
 
@@ -88,10 +91,16 @@ class Field {
   }
 
   /// Distance along the ray at which a mass's influence or the coupling first acts, or infinity.
-  [[nodiscard]] double free_flight(const Ray& ray, double resolution, double extent) const {
+  /// @param near  masses among which those are that act before `known`
+  [[nodiscard]] double free_flight(const Ray& ray, double resolution, double extent,
+                                   std::span<const std::uint32_t> near, double known) const {
     double least = std::numeric_limits<double>::infinity();
-    for (const Mass& mass : masses_)
-      least = std::min(least, entry(mass.center, mass.influence, ray));
+    const auto meet = [&](const Influence& ball) {
+      least = std::min(least, entry(ball.center, ball.radius, ray));
+    };
+    for (const std::uint32_t i : near) meet(influences_[i]);
+    if (!(least <= known))
+      for (const Influence& ball : influences_) meet(ball);
     double s = 0.0;
     while (s < least) {
       const double quiet = coupling_.quiet(ray.at(s));
@@ -122,7 +131,13 @@ class Field {
   }
 
  private:
+  struct Influence {
+    Vec3d center;
+    double radius;
+  };
+
   std::span<const Mass> masses_;
+  std::vector<Influence> influences_;  ///< of all masses, close together: flights ask each
   const C& coupling_;
   double inverse_c2_;
 };

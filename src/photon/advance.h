@@ -115,14 +115,18 @@ class Tracer {
     return travel_.state.position + travel_.state.direction * (1e-9 * space_.extent);
   }
 
+  [[nodiscard]] double free_flight(const Ray& ray, double resolution, double extent) const {
+    return field_.free_flight(ray, resolution, extent, vicinity_.around(),
+                              vicinity_.end_of_around(ray));
+  }
+
   /// Straight flight, outside all influence.
   bool fly() {
     const Ray ray{travel_.state.position, travel_.state.direction};
     const double resolution = 1e-7 * space_.extent;
     // At the edge of a coupling that is not yet felt at least this far.
-    const double reach =
-        std::fmax(2.0 * resolution,
-                  field_.free_flight(ray, resolution, 1e3 * space_.extent + length(ray.origin)));
+    const double reach = std::fmax(
+        2.0 * resolution, free_flight(ray, resolution, 1e3 * space_.extent + length(ray.origin)));
     std::optional<Encounter> met = obstacles_.first(ray, reach, travel_.start);
     double distance = met ? met->distance : reach;
     std::optional<std::uint32_t> swallowed;
@@ -188,8 +192,7 @@ class Tracer {
     return std::fmin(std::fmax(h, 1e-9 * space_.extent), longest);
   }
 
-  /// The distance to the nearest boundary of an influence, along the parabola of the path; those
-  /// farther off than the vicinity need not be known.
+  /// The distance along the path's parabola to the nearest boundary of an influence, if it is near.
   [[nodiscard]] double straight_exit() const {
     double least = std::numeric_limits<double>::infinity();
     const Ray ray{travel_.state.position, travel_.state.direction};
@@ -348,7 +351,7 @@ class Tracer {
         rest->turning * rest->closeness > 0.02 * space_.physics.tolerance)
       return false;
     const Ray ray{travel_.state.position, travel_.state.direction};
-    const double reach = field_.free_flight(ray, 1e-7 * space_.extent, 1e3 * space_.extent);
+    const double reach = free_flight(ray, 1e-7 * space_.extent, 1e3 * space_.extent);
     if (reach > 0.0 && std::isfinite(reach)) return false;
     if (obstacles_.first(ray, std::numeric_limits<double>::infinity(), travel_.start)) return false;
     travel_.state.direction = normalize(travel_.state.direction + rest->kick);

@@ -4,9 +4,11 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
+#include "geometry/ray.h"
 #include "gravity/mass.h"
 #include "math/vec3.h"
 
@@ -27,6 +29,17 @@ class Vicinity {
   }
   /// Indices of masses, ascending: all that were asked for, and some others.
   [[nodiscard]] std::span<const std::uint32_t> near() const { return all_ ? every_ : near_.held; }
+  /// The same within a larger ball; no other acts along a ray before `end_of_around`.
+  [[nodiscard]] std::span<const std::uint32_t> around() const {
+    return all_ ? every_ : around_.held;
+  }
+  [[nodiscard]] double end_of_around(const Ray& ray) const {
+    if (all_) return std::numeric_limits<double>::infinity();
+    const Vec3d from = ray.origin - around_.center;
+    const double along = dot(from, ray.direction);
+    const double inside = around_.radius * around_.radius - dot(from, from);
+    return inside > 0.0 ? std::sqrt(along * along + inside) - along : 0.0;
+  }
 
  private:
   /// The masses that meet a ball.
@@ -42,7 +55,13 @@ class Vicinity {
   void gather(Vec3d x, double reach);
   void fill(Ball& ball, Vec3d x, double radius, std::span<const std::uint32_t> from) const;
 
-  std::span<const Mass> masses_;
+  /// Where a mass acts or absorbs.
+  struct Reach {
+    Vec3d center;
+    double radius;
+  };
+
+  std::vector<Reach> reaches_;  ///< of all masses
   std::vector<std::uint32_t> every_;
   Ball around_, near_;  ///< the larger one saves asking every mass
   double usual_ = 0.0;  ///< radius beyond what is asked for

@@ -41,6 +41,16 @@ TEST(Vicinity, HoldsAllThatMattersWhereverAPhotonGoes) {
         EXPECT_TRUE(std::binary_search(near.begin(), near.end(), i)) << "mass " << i;
       }
     }
+    // On a ray no other mass acts before the end of the larger ball.
+    const Ray ray{x, random.direction()};
+    const double end = vicinity.end_of_around(ray);
+    const auto around = vicinity.around();
+    for (std::uint32_t i = 0; i < masses.size(); ++i) {
+      const Vec3d to_mass = masses[i].center - ray.at(end * random.uniform(0.0, 1.0));
+      if (length(to_mass) <= masses[i].influence) {
+        EXPECT_TRUE(std::binary_search(around.begin(), around.end(), i)) << "mass " << i;
+      }
+    }
     held += near.size();
   }
   EXPECT_LT(held, masses.size() * static_cast<std::size_t>(steps) / 4) << "it chooses";
