@@ -25,6 +25,10 @@ class CheckIsa(unittest.TestCase):
         symbols = "                 U memcpy\n0000000000000000 T portalens::step_lanes_avx512()\n"
         self.assertEqual(check_isa.untagged(symbols, TAG), [])
 
+    def test_a_shared_constant_may_stay(self):
+        symbols = "0000000000000000 u portalens::radau_nodes\n0000000000000000 V vtable\n"
+        self.assertEqual(check_isa.untagged(symbols, TAG), [])
+
     def test_the_tag_of_another_set_is_found(self):
         symbols = "0000000000000000 W portalens::step<xsimd::batch<float, xsimd::sse4_2> >()\n"
         self.assertEqual(len(check_isa.untagged(symbols, TAG)), 1)
