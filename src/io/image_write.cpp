@@ -78,6 +78,12 @@ std::string encode(const fs::path& file, const char* name, const OIIO::ImageSpec
   if (!output || !output->supports("ioproxy") || !output->set_ioproxy(&memory)) {
     fail("this build lacks the format");
   }
+#ifdef PORTALENS_STD_THREADS
+  // The thread sanitizer does not see into the libraries' own pools.
+  OIIO::attribute("threads", 1);
+  OIIO::attribute("exr_threads", -1);
+  output->threads(1);
+#endif
   if (!output->open(name, spec) || !output->write_image(type, pixels) || !output->close()) {
     fail(output->geterror());
   }
