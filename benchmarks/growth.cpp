@@ -130,14 +130,14 @@ std::vector<Question> questions(const Request& request) {
       {"depth, one pair",
        1.0,
        "no chain goes straight back: one way more a portal and level",
-       {1, 2, 4, 8},
+       {1, 2, 4},
        [=](int levels) {
          return stage(128, depth(levels, "closest-point")) + one_mass + portals(2);
        }},
       {"depth, one pair, graviton-map",
        0.0,
        "one look-up a portal, whatever the depth; a stronger field takes more steps",
-       {1, 2, 4, 8},
+       {1, 2, 4},
        [=](int levels) {
          return stage(128, depth(levels, "graviton-map")) + one_mass + portals(2);
        }},

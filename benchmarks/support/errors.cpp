@@ -35,8 +35,8 @@ Errors errors_of(std::span<const Arrival> arrivals, std::span<const Arrival> exa
   return errors;
 }
 
-void demand_sound(const Errors& errors, const std::string& what) {
-  if (errors.mismatch <= 0.01 && errors.median <= 0.5 && errors.p99 <= 5.0) return;
+void demand_sound(const Errors& errors, const std::string& what, double pixels) {
+  if (errors.mismatch <= 0.01 && errors.median <= 0.1 * pixels && errors.p99 <= pixels) return;
   throw WorkError(
       fmt::format("{} is wrong and was not timed: mismatch {:.3g}, median {:.3g} px, p99 {:.3g} px",
                   what, errors.mismatch, errors.median, errors.p99));

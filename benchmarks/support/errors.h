@@ -22,9 +22,10 @@ struct Errors {
                                double pixel);
 
 /// A benchmark does not time what is wrong: throws unless fates agree but for a hundredth, and half
-/// of the photons land within half a pixel, and 99 of 100 within five.
+/// of the photons land within a tenth of a pixel, and 99 of 100 within one.
+/// @param pixels  how many of the picture's pixels make one of these
 /// @throws WorkError with what was checked and how wrong it is
-void demand_sound(const Errors& errors, const std::string& what);
+void demand_sound(const Errors& errors, const std::string& what, double pixels = 1.0);
 
 /// The angle between two pixels in the middle of the film, radians.
 [[nodiscard]] double pixel_angle(const World& world);
