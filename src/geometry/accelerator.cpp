@@ -8,6 +8,7 @@
 
 #include "geometry/box_tree.h"
 #include "geometry/contacts.h"
+#include "geometry/distance_grid.h"
 #include "geometry/polygon.h"
 #include "geometry/slab.h"
 
@@ -26,6 +27,7 @@ struct MeshTree {
   std::uint32_t shape;
   const Mesh* mesh;
   BoxTree tree;
+  DistanceGrid grid;
 };
 
 /// A query under way: what is asked for, and the best found so far.
@@ -89,7 +91,7 @@ Accelerator::Implementation::Implementation(std::vector<Shape> all) : shapes(std
         for (const Vec3d& corner : mesh->triangle(face)) triangle.add(corner);
         return triangle;
       };
-      meshes.push_back({i, mesh, tree(mesh->triangle_count(), box_of)});
+      meshes.push_back({i, mesh, tree(mesh->triangle_count(), box_of), DistanceGrid(*mesh)});
     }
   }
   if (plain.size() > few)
@@ -175,29 +177,12 @@ bool Accelerator::blocked(const Ray& ray, double low, double high,
 
 namespace {
 
-/// A lower bound of how far from x the nearest triangle is, at most `limit`. It looks no farther
-/// than is needed to be within a quarter of it: many triangles may be nearly as far off as the
-/// nearest.
-double clearance_of(const MeshTree& mesh, Vec3d x, double limit) {
-  constexpr double worth = 0.75;
-  const double away = mesh.tree.bounds().distance(x);
-  if (!(away < limit)) return limit;
-  if (away > 100.0 * mesh.tree.bounds().diagonal()) return away;
-  double least = limit;
-  mesh.tree.around(x, limit, [&](std::uint32_t face) {
-    const auto [a, b, c] = mesh.mesh->triangle(face);
-    least = std::min(least, worth * length(x - closest_on_triangle(a, b, c, x)));
-    return least;
-  });
-  return least;
-}
-
 /// Whether a triangle may lie within `radius` of the stretch of the ray. Goes along it by as much
 /// as is free around it each time, and says yes where that is too little to get on.
 bool may_pass(const MeshTree& mesh, const Ray& ray, double first, double last, double radius) {
   constexpr int most_strides = 12;
   for (int i = 0; i < most_strides; ++i) {
-    const double free = clearance_of(mesh, ray.at(first), last - first + 2.0 * radius);
+    const double free = mesh.grid.clearance(ray.at(first));
     if (free <= radius) return true;
     first += free - radius;
     if (first >= last) return false;
@@ -213,7 +198,7 @@ double Accelerator::clearance(Vec3d x, double limit) const {
   double least = limit;
   for (const std::uint32_t shape : all.plain)
     if (all.boxes[shape].distance(x) < least) least = std::min(least, all.clearance(shape, {x, x}));
-  for (const MeshTree& mesh : all.meshes) least = clearance_of(mesh, x, least);
+  for (const MeshTree& mesh : all.meshes) least = std::min(least, mesh.grid.clearance(x));
   return least;
 }
 

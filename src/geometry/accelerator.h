@@ -54,8 +54,8 @@ class Accelerator {
   /// Whether anything lies at low <= distance <= high.
   [[nodiscard]] bool blocked(const Ray& ray, double low, double high,
                              const Departure& departure = {}) const;
-  /// A lower bound of the distance from `x` to any surface, at most `limit`: no less than three
-  /// quarters of it, or of the limit where that is nearer; from far off a mesh, to its box.
+  /// A lower bound of the distance from `x` to any surface, at most `limit`. By how much it falls
+  /// short of a mesh, `DistanceGrid` tells.
   [[nodiscard]] double clearance(Vec3d x, double limit) const;
   /// False only if no surface lies within `radius` of the segment.
   [[nodiscard]] bool near(const Segment& segment, double radius) const;

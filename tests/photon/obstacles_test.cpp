@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "geometry/samples.h"
 #include "support/random.h"
 #include "support/scale.h"
 #include "support/spaces.h"
@@ -80,6 +81,36 @@ TEST(Obstacles, APathThatIsBentLessThanRoundingStillMeetsTheWall) {
     for (int i = 0; i < scaled(3000); ++i) {
       const Arrival arrival = advance_one(space, photon_at(random.point(4.0), random.direction()));
       ASSERT_EQ(arrival.fate, Fate::hit) << "GM " << gm << ", photon " << i;
+    }
+  }
+}
+
+TEST(Obstacles, AClosedMeshKeepsEveryBentPathInAndOut) {
+  const Physics physics = physics_with(1e-4);
+  const Vec3d center{3, -1, 2};
+  const Space space = space_with(physics, {mass_at(center + Vec3d{1, 0, 0}, 300.0, physics)},
+                                 {Mesh(globe(60, center, 4.0, false))});
+  Random random(8);
+  std::vector<Photon> photons;
+  for (int i = 0; i < scaled(20000); ++i)
+    photons.push_back(
+        photon_at(center + random.direction() * random.uniform(0.0, 10.0), random.direction()));
+  for (const Engine engine : {Engine::scalar, Engine::automatic}) {
+    std::vector<Arrival> arrivals(photons.size());
+    advance(space, photons, arrivals, engine);
+    for (std::size_t i = 0; i < photons.size(); ++i) {
+      const double r0 = length(photons[i].position - center),
+                   r1 = length(arrivals[i].position - center);
+      const double facet = 4.0 * (1.0 - std::cos(M_PI / 60));
+      if (r0 < 4.0 - facet) {
+        EXPECT_TRUE(arrivals[i].fate == Fate::hit || arrivals[i].fate == Fate::absorbed);
+        EXPECT_LE(r1, 4.0 + 1e-9);
+      } else if (r0 > 4.0) {
+        EXPECT_TRUE(arrivals[i].fate == Fate::hit || arrivals[i].fate == Fate::escaped);
+      }
+      if (arrivals[i].fate == Fate::hit) {
+        EXPECT_GE(r1, 4.0 - 2.0 * facet);
+      }
     }
   }
 }
