@@ -27,10 +27,11 @@ namespace portalens::benchmarks {
 /// @param travel  called as `travel(photons, arrivals)`
 template <class Travel>
 [[nodiscard]] std::vector<Rgb> take_pixels(const World& world, int every, const Travel& travel) {
-  std::vector<Photon> photons = camera_photons(world, every);
-  std::vector<Rgb> film(photons.size());
+  WaveRoom room;
+  room.wave = camera_photons(world, every);
+  std::vector<Rgb> film(room.wave.size());
   Tally tally;
-  carry_light(world.space, world.appearance, std::move(photons), film, travel, tally);
+  carry_light(world.space, world.appearance, room, film, travel, tally);
   return film;
 }
 

@@ -105,11 +105,16 @@ TextureCoordinates inverse_bilinear(TextureCoordinates p, TextureCoordinates e,
                                     TextureCoordinates f, TextureCoordinates g) {
   const double a = cross2(g, f), b = cross2(e, f) + cross2(p, g), c = cross2(p, e);
   // cross2(p - v f, e + v g) = 0 is a v² + b v + c = 0
-  const double root = std::sqrt(std::fmax(0.0, b * b - 4.0 * a * c));
-  const double q = -0.5 * (b < 0.0 ? b - root : b + root);
   double v = std::numeric_limits<double>::infinity();
-  for (const double candidate : {c / q, q / a})
-    if (std::isfinite(candidate) && std::fabs(candidate - 0.5) < std::fabs(v - 0.5)) v = candidate;
+  if (a == 0.0) {  // a parallelogram
+    if (const double only = c / -b; std::isfinite(only)) v = only;
+  } else {
+    const double root = std::sqrt(std::fmax(0.0, b * b - 4.0 * a * c));
+    const double q = -0.5 * (b < 0.0 ? b - root : b + root);
+    for (const double candidate : {c / q, q / a})
+      if (std::isfinite(candidate) && std::fabs(candidate - 0.5) < std::fabs(v - 0.5))
+        v = candidate;
+  }
   v = std::clamp(v, 0.0, 1.0);
   const TextureCoordinates along = {e[0] + g[0] * v, e[1] + g[1] * v};
   const TextureCoordinates rest = {p[0] - f[0] * v, p[1] - f[1] * v};

@@ -26,12 +26,17 @@ Plate::Plate(const Assignment& assignment)
 
 void Plate::set(int x, int y, const SampleSum& sum) {
   const Rgb mean = sum.total() / samples_;
-  const float values[] = {as_float(mean.x), as_float(mean.y), as_float(mean.z)};
-  restore(x, y, values, nodes_ > 0 ? sum.nodes() : std::span<const Rgb>{});
+  float* const pixel = image_.at(x - window_.x0, y - window_.y0);
+  pixel[0] = as_float(mean.x), pixel[1] = as_float(mean.y), pixel[2] = as_float(mean.z);
+  if (nodes_ > 0) set_sums(x, y, sum.nodes());
 }
 
 void Plate::restore(int x, int y, std::span<const float> mean, std::span<const Rgb> sums) {
   std::copy(mean.begin(), mean.end(), image_.at(x - window_.x0, y - window_.y0));
+  set_sums(x, y, sums);
+}
+
+void Plate::set_sums(int x, int y, std::span<const Rgb> sums) {
   std::copy(sums.begin(), sums.end(),
             sums_.begin() + static_cast<std::ptrdiff_t>(nodes_ * index(x, y)));
 }

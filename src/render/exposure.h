@@ -41,6 +41,7 @@ class Plate {
   [[nodiscard]] std::span<const float> layers(int x, int y) const;
 
  private:
+  void set_sums(int x, int y, std::span<const Rgb> sums);
   [[nodiscard]] std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y - window_.y0) * static_cast<std::size_t>(window_.width()) +
            static_cast<std::size_t>(x - window_.x0);

@@ -1,6 +1,7 @@
 #include "render/render.h"
 
 #include <algorithm>
+#include <memory>
 #include <mutex>
 #include <span>
 #include <utility>
@@ -17,6 +18,34 @@ constexpr std::uint64_t most_in_wave = 8192;
 /// Pixels whose layers are taken at once at most.
 constexpr std::uint64_t most_layer_pixels = 4096;
 
+/// What one tile at a time is taken in.
+struct TileRoom {
+  WaveRoom carried;
+  std::vector<Rgb> light;
+  std::vector<std::uint32_t> lost;
+  std::vector<PixelSample> lost_places;
+};
+
+/// As many rooms as ever were used at once. What is in them has no meaning to who takes one.
+class TileRooms {
+ public:
+  [[nodiscard]] std::unique_ptr<TileRoom> take() {
+    const std::lock_guard lock(guard_);
+    if (free_.empty()) return std::make_unique<TileRoom>();
+    std::unique_ptr<TileRoom> room = std::move(free_.back());
+    free_.pop_back();
+    return room;
+  }
+  void give_back(std::unique_ptr<TileRoom> room) {
+    const std::lock_guard lock(guard_);
+    free_.push_back(std::move(room));
+  }
+
+ private:
+  std::mutex guard_;
+  std::vector<std::unique_ptr<TileRoom>> free_;
+};
+
 /// What the threads share.
 struct Shared {
   const World& world;
@@ -25,6 +54,7 @@ struct Shared {
   Progress* progress;
   std::mutex telling{};  ///< held while progress is told: whoever listens may take its time
   Pace photons{512, most_in_wave}, layer_pixels{16, most_layer_pixels};
+  TileRooms rooms{};
 };
 
 /// Takes one tile, or what is left of it. Its camera samples are numbered pixel by pixel, and
@@ -37,11 +67,15 @@ class TileTaker {
         world_(shared.world),
         assignment_(shared.exposure.assignment()),
         tile_(tile),
-        work_(shared.exposure.work_on(tile)) {
+        work_(shared.exposure.work_on(tile)),
+        room_(shared.rooms.take()) {
     TileProgress progress = shared.exposure.progress(tile);
     done_ = progress.done;
     sum_ = SampleSum(work_.begun(done_, assignment_.range), progress.sums);
   }
+  TileTaker(const TileTaker&) = delete;
+  TileTaker& operator=(const TileTaker&) = delete;
+  ~TileTaker() { shared_.rooms.give_back(std::move(room_)); }
 
   /// Until the tile is complete, or `stop()` says so.
   template <class Stop>
@@ -63,22 +97,25 @@ class TileTaker {
  private:
   void take_samples(std::uint64_t count) {
     Tally tally;
-    light_.assign(count, Rgb{});
-    lost_.clear();
-    lost_places_.clear();
+    room_->light.assign(count, Rgb{});
+    room_->lost.clear();
+    room_->lost_places.clear();
+    send_camera_photons(count);
     const auto travel = [&](std::span<const Photon> photons, std::span<Arrival> arrivals) {
       advance(world_.space, photons, arrivals, shared_.engine);
     };
-    carry_light(world_.space, world_.appearance, camera_photons(count), light_, travel, tally,
-                &lost_);
-    for (const std::uint32_t i : lost_) lost_places_.push_back(place(done_ + i));
-    keep_first(lost_places_);
-    for (std::uint64_t i = 0; i < count; ++i) {
-      sum_.add(light_[i]);
-      if ((done_ + i + 1) % work_.samples_each != 0) continue;
-      const auto [x, y] = work_.pixel((done_ + i) / work_.samples_each);
-      shared_.exposure.plate().set(x, y, sum_);
-      sum_.restart(assignment_.range.begin);
+    carry_light(world_.space, world_.appearance, room_->carried, room_->light, travel, tally,
+                &room_->lost);
+    for (const std::uint32_t i : room_->lost) room_->lost_places.push_back(place(done_ + i));
+    keep_first(room_->lost_places);
+    PixelSample at = place(done_);
+    for (const Rgb& light : room_->light) {
+      sum_.add(light);
+      if (at.sample + 1 == assignment_.range.end) {
+        shared_.exposure.plate().set(at.x, at.y, sum_);
+        sum_.restart(assignment_.range.begin);
+      }
+      go_on(at);
     }
     note(count, tally);
   }
@@ -89,7 +126,7 @@ class TileTaker {
       const auto [x, y] = work_.pixel(i);
       take_layers(world_, x, y, assignment_.layers, shared_.exposure.plate().layers(x, y));
     }
-    lost_places_.clear();
+    room_->lost_places.clear();
     note(count, {});
   }
 
@@ -102,7 +139,7 @@ class TileTaker {
     std::unique_lock<std::mutex> lock;
     if (told) lock = std::unique_lock(shared_.telling);
     const Standing standing =
-        shared_.exposure.note(tile_, std::move(progress), tally, lost_places_);
+        shared_.exposure.note(tile_, std::move(progress), tally, room_->lost_places);
     if (!told) return;
     shared_.progress->tile_taken(work_.tile, shared_.exposure.plate().image(), assignment_.window);
     shared_.progress->advanced(standing.pixels, assignment_.window.pixels(), standing.tally);
@@ -115,14 +152,24 @@ class TileTaker {
             assignment_.range.begin + static_cast<std::uint32_t>(number % work_.samples_each)};
   }
 
-  [[nodiscard]] std::vector<Photon> camera_photons(std::uint64_t count) const {
-    std::vector<Photon> photons(count);
+  /// To the camera sample with the next number.
+  void go_on(PixelSample& at) const {
+    if (++at.sample != assignment_.range.end) return;
+    at.sample = assignment_.range.begin;
+    if (++at.x != work_.tile.x1) return;
+    at.x = work_.tile.x0;
+    ++at.y;
+  }
+
+  void send_camera_photons(std::uint64_t count) {
+    std::vector<Photon>& photons = room_->carried.wave;
+    photons.resize(count);
     const FilmCamera view(world_.camera, world_.film.width, world_.film.height);
-    for (std::uint64_t i = 0; i < count; ++i) {
-      photons[i] = camera_photon(world_, view, place(done_ + i));
+    PixelSample at = place(done_);
+    for (std::uint64_t i = 0; i < count; ++i, go_on(at)) {
+      photons[i] = camera_photon(world_, view, at);
       photons[i].sample = photons[i].slot = static_cast<std::uint32_t>(i);
     }
-    return photons;
   }
 
   Shared& shared_;
@@ -132,9 +179,7 @@ class TileTaker {
   TileWork work_;
   std::uint64_t done_ = 0;
   SampleSum sum_;
-  std::vector<Rgb> light_;
-  std::vector<std::uint32_t> lost_;
-  std::vector<PixelSample> lost_places_;
+  std::unique_ptr<TileRoom> room_;
 };
 
 /// Empty channels of that many pixels for the layers.

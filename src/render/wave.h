@@ -16,6 +16,7 @@
 #include "photon/space.h"
 #include "render/tally.h"
 #include "shading/shade.h"
+#include "shading/shadow_screen.h"
 
 namespace portalens {
 
@@ -40,41 +41,50 @@ class Stopwatch {
   return {std::min(sound.x, most), std::min(sound.y, most), std::min(sound.z, most)};
 }
 
-/// Adds to `light[photon.sample]` what each photon and its offspring find. A sample's light is
-/// added in order of wave, and within one first what its photon saw, then its shadow queries in
-/// their order; so its sum does not depend on which other photons travel along.
+/// The room that carrying light takes. Whoever carries often keeps it: fresh memory costs more than
+/// what is done in it.
+struct WaveRoom {
+  std::vector<Photon> wave, offspring;
+  std::vector<Arrival> arrivals;
+  std::vector<std::uint32_t> samples;
+  ShadeOutput found;
+};
+
+/// Adds to `light[photon.sample]` what each photon of `room.wave` and its offspring find. A
+/// sample's light is added in order of wave, and within one first what its photon saw, then its
+/// shadow queries in their order; so its sum does not depend on which other photons travel along.
 /// In the end each is made presentable; those that were not are counted.
+/// @param room    its wave is used up; what else is in it does not matter
 /// @param travel  advances photons to their arrivals: called as `travel(photons, arrivals)`
 /// @param lost    if given, gets the sample of each photon that is lost, and of light not a number
 /// @pre every photon's sample < light.size(), and no two photons have the same
 template <class Travel>
-void carry_light(const Space& space, const Appearance& appearance, std::vector<Photon> wave,
+void carry_light(const Space& space, const Appearance& appearance, WaveRoom& room,
                  std::span<Rgb> light, const Travel& travel, Tally& tally,
                  std::vector<std::uint32_t>* lost = nullptr) {
-  constexpr std::size_t most_at_once = std::size_t{1} << 16;
+  // So few that what shading gives stays in the nearest cache until it is used.
+  constexpr std::size_t most_photons = 256, most_queries = std::size_t{1} << 16;
   const std::size_t each = std::max<std::size_t>(1, most_shadow_queries(space, appearance));
-  const std::size_t slice = std::max<std::size_t>(1, most_at_once / each);
+  const std::size_t slice = std::max<std::size_t>(1, std::min(most_photons, most_queries / each));
 
+  const ShadowScreen screen(space);
+  auto& [wave, offspring, arrivals, samples, found] = room;
   tally.samples += wave.size();
-  std::vector<std::uint32_t> samples;
+  samples.clear();
   for (const Photon& photon : wave) samples.push_back(photon.sample);
-  std::vector<Arrival> arrivals;
-  std::vector<Photon> offspring;
-  ShadeOutput found;
   while (!wave.empty()) {
-    arrivals.assign(wave.size(), Arrival{});
+    arrivals.resize(wave.size());
     Stopwatch watch;
     travel(std::span<const Photon>(wave), std::span<Arrival>(arrivals));
     tally.advancing += watch.lap();
-    for (const Arrival& arrival : arrivals) tally.count(arrival);
-    if (lost)
-      for (std::size_t i = 0; i < wave.size(); ++i)
-        if (arrivals[i].fate == Fate::lost) lost->push_back(wave[i].sample);
-
+    for (std::size_t i = 0; i < wave.size(); ++i) {
+      tally.count(arrivals[i]);
+      if (lost && arrivals[i].fate == Fate::lost) lost->push_back(wave[i].sample);
+    }
     offspring.clear();
+    watch.lap();
     for (std::size_t begin = 0; begin < wave.size(); begin += slice) {
       const std::size_t count = std::min(slice, wave.size() - begin);
-      watch.lap();
       found.light.clear();
       found.offspring.clear();
       found.shadows.clear();
@@ -83,10 +93,11 @@ void carry_light(const Space& space, const Appearance& appearance, std::vector<P
       tally.shading += watch.lap();
       for (const Gleam& gleam : found.light) light[gleam.sample] += gleam.radiance;
       for (const ShadowQuery& query : found.shadows)
-        if (visible(space, query)) light[query.sample] += query.contribution;
-      tally.shadowing += watch.lap();
+        if (screen.surely_free(query) || visible(space, query))
+          light[query.sample] += query.contribution;
       tally.shadow_queries += found.shadows.size();
       offspring.insert(offspring.end(), found.offspring.begin(), found.offspring.end());
+      tally.shadowing += watch.lap();
     }
     std::swap(wave, offspring);
   }

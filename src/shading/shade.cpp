@@ -31,10 +31,11 @@ struct Strata {
 /// Shades one arrival.
 class Shader {
  public:
-  Shader(const Space& space, const Appearance& appearance, const Photon& photon,
+  Shader(const Space& space, const Appearance& appearance, double extent, const Photon& photon,
          const Arrival& arrival, ShadeOutput& output)
       : space_(space),
         appearance_(appearance),
+        extent_(extent),
         photon_(photon),
         arrival_(arrival),
         output_(output),
@@ -61,11 +62,12 @@ class Shader {
   }
 
   void shade_surface() {
-    const ShadingPoint point = shading_point(space_, appearance_, arrival_);
+    const ShadingPoint point = shading_point(space_, appearance_, extent_, arrival_);
     const Material& material = appearance_.materials[point.material];
     const Rgb diffuse = color_at(material.diffuse, point.surface);
     add_light(share_ * (material.emitted + diffuse * appearance_.limits.ambient));
-    if (share_ * diffuse != Rgb{}) ask_lights(point, share_ * diffuse / std::numbers::pi);
+    const Rgb reflected = share_ * diffuse;
+    if (reflected != Rgb{}) ask_lights(point, reflected / std::numbers::pi);
     if (photon_.bounces < appearance_.limits.max_bounces) send_mirrored(point, material);
   }
 
@@ -91,6 +93,10 @@ class Shader {
   void ask_lights(const ShadingPoint& point, Rgb share) {
     for (std::size_t i = 0; i < appearance_.lights.size(); ++i) {
       const Light& light = appearance_.lights[i];
+      if (const auto* lamp = std::get_if<PointLight>(&light)) {
+        ask_light(point, lamp->sample(0.0, 0.0), share);
+        continue;
+      }
       const std::uint32_t count = sample_count(light, appearance_.limits.shadow_samples);
       const std::uint64_t key = combined(photon_.random_key, light_purpose + i);
       const Strata strata(count);
@@ -127,19 +133,14 @@ class Shader {
     if (!(dot(sample.position - point.position, point.outward) > 0.0)) return;
     const Rgb light = share * irradiance(sample, point.position, point.normal);
     if (light == Rgb{}) return;
-    ShadowQuery query;
-    query.from = point.position;
-    query.to = sample.position;
-    query.portal = portal;
-    query.departure = point.leaving(sample.position - point.position);
-    query.contribution = light;
-    query.sample = photon_.sample;
-    query.slot = photon_.slot;
-    output_.shadows.push_back(query);
+    const Vec3d way = sample.position - point.position;
+    output_.shadows.push_back({point.position, sample.position, portal, point.leaving(way), light,
+                               photon_.sample, photon_.slot});
   }
 
   const Space& space_;
   const Appearance& appearance_;
+  double extent_;  ///< of the surfaces
   const Photon& photon_;
   const Arrival& arrival_;
   ShadeOutput& output_;
@@ -151,8 +152,9 @@ class Shader {
 void shade(const Space& space, const Appearance& appearance, std::span<const Photon> photons,
            std::span<const Arrival> arrivals, ShadeOutput& output) {
   assert(photons.size() == arrivals.size());
+  const double extent = space.surfaces.bounds().diagonal();
   for (std::size_t i = 0; i < photons.size(); ++i)
-    Shader(space, appearance, photons[i], arrivals[i], output).run();
+    Shader(space, appearance, extent, photons[i], arrivals[i], output).run();
 }
 
 std::size_t most_shadow_queries(const Space& space, const Appearance& appearance) {

@@ -55,6 +55,11 @@ Departure ShadingPoint::leaving(Vec3d direction) const {
 
 ShadingPoint shading_point(const Space& space, const Appearance& appearance,
                            const Arrival& arrival) {
+  return shading_point(space, appearance, space.surfaces.bounds().diagonal(), arrival);
+}
+
+ShadingPoint shading_point(const Space& space, const Appearance& appearance, double extent,
+                           const Arrival& arrival) {
   if (arrival.met == Met::portal_back)
     return point_on_back(space.portals.portals()[arrival.object], arrival);
   ShadingPoint point;
@@ -69,7 +74,7 @@ ShadingPoint shading_point(const Space& space, const Appearance& appearance,
   point.material = appearance.bodies[arrival.object].material_of(arrival.face);
   point.shape = arrival.object;
   point.face = arrival.face;
-  point.reach = departure_share * (length(arrival.position) + space.surfaces.bounds().diagonal());
+  point.reach = departure_share * (length(arrival.position) + extent);
   return point;
 }
 

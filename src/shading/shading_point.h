@@ -28,5 +28,9 @@ struct ShadingPoint {
 /// @pre the arrival has met a surface or a portal's back
 [[nodiscard]] ShadingPoint shading_point(const Space& space, const Appearance& appearance,
                                          const Arrival& arrival);
+/// The same, for many points.
+/// @param extent  the diagonal of the box around all surfaces
+[[nodiscard]] ShadingPoint shading_point(const Space& space, const Appearance& appearance,
+                                         double extent, const Arrival& arrival);
 
 }  // namespace portalens

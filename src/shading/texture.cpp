@@ -7,11 +7,13 @@
 namespace portalens {
 namespace {
 
-/// For whole numbers of any size.
-bool is_even(double whole) { return 2.0 * std::floor(0.5 * whole) == whole; }
-
-/// Whether a + b is even, for whole numbers of any size.
-bool even_sum(double a, double b) { return is_even(a) == is_even(b); }
+/// The largest whole number not above x. Beyond 2^62 all doubles are even, and 0 stands for them.
+std::int64_t floored(double x) {
+  constexpr double most = 0x1p62;
+  if (!(x > -most && x < most)) return 0;
+  const auto towards_zero = static_cast<std::int64_t>(x);
+  return towards_zero - (static_cast<double>(towards_zero) > x);
+}
 
 /// The remainder of the floored division, in [0, period).
 double wrapped(double x, double period) {
@@ -76,9 +78,9 @@ Rgb bilinear(const Image& image, double x, double y, Rows rows) {
 }
 
 Rgb Checker::at(const SurfacePoint& point) const {
-  const double a = std::floor((point.flat ? point.along : point.u) / size);
-  const double b = std::floor((point.flat ? point.across : point.v) / size);
-  return even_sum(a, b) ? first : second;
+  const std::int64_t a = floored((point.flat ? point.along : point.u) / size);
+  const std::int64_t b = floored((point.flat ? point.across : point.v) / size);
+  return ((a ^ b) & 1) == 0 ? first : second;
 }
 
 Rgb Picture::at(const SurfacePoint& point) const {

@@ -1,0 +1,143 @@
+#include "shading/shadow_screen.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace portalens {
+namespace {
+
+/// More than so many surfaces, portals and horizons are left to `visible`.
+constexpr std::size_t most_obstacles = 32;
+
+/// What is computed here or by `visible` is off by less than this share of the coordinates.
+constexpr double rounding_share = 1e-12;
+
+/// `visible` doesn't look at a millionth of the way before the light; here it is half of that.
+constexpr double before_light = 0.5e-6;
+
+/// Stands for a shape, where an obstacle is none.
+constexpr std::uint32_t no_surface = no_object - 1;
+
+double size(Vec3d x) { return std::fabs(x.x) + std::fabs(x.y) + std::fabs(x.z); }
+
+Vec3d absolute(Vec3d x) { return {std::fabs(x.x), std::fabs(x.y), std::fabs(x.z)}; }
+
+}  // namespace
+
+/// A straight way, prepared.
+struct ShadowScreen::Way {
+  const Departure& departure;
+  Vec3d from, to, way;
+  Vec3d middle, half, half_size;  ///< half: of the way; half_size: its absolute components
+  double square;                  ///< of the way's length
+  double slack;
+
+  explicit Way(const ShadowQuery& query)
+      : departure(query.departure),
+        from(query.from),
+        to(query.to - (query.to - query.from) * before_light),
+        way(to - from),
+        middle((from + to) * 0.5),
+        half(way * 0.5),
+        half_size(absolute(half)),
+        square(dot(way, way)),
+        slack(rounding_share * (size(from) + size(to))) {}
+};
+
+ShadowScreen::ShadowScreen(const Space& space) {
+  const std::vector<Shape>& shapes = space.surfaces.shapes();
+  if (shapes.size() + space.portals.portals().size() + space.masses.size() > most_obstacles) return;
+  for (std::uint32_t i = 0; i < shapes.size(); ++i) {
+    if (const auto* quad = std::get_if<Quad>(&shapes[i])) {
+      add_plane(quad->vertices(), quad->normal(), i);
+    } else if (const auto* sphere = std::get_if<Sphere>(&shapes[i])) {
+      add_ball(sphere->center(), sphere->radius(), i);
+    } else {
+      const Box box = std::visit([](const auto& shape) { return shape.bounds(); }, shapes[i]);
+      if (box.empty()) continue;
+      const Vec3d half = (box.high - box.low) * 0.5;
+      blocks_.push_back(
+          {box.middle(), half, rounding_share * (size(box.middle()) + size(half)), i});
+    }
+  }
+  for (const Portal& portal : space.portals.portals())
+    add_plane(portal.vertices, portal.frame.normal, no_surface);
+  for (const Mass& mass : space.masses)
+    if (mass.horizon) add_ball(mass.center, mass.schwarzschild, no_surface);
+  complete_ = true;
+}
+
+template <class Vertices>
+void ShadowScreen::add_plane(const Vertices& vertices, Vec3d normal, std::uint32_t shape) {
+  Plane plane;
+  plane.normal = normal;
+  plane.offset = dot(normal, vertices[0]);
+  Box box;
+  double uneven = 0.0;
+  for (const Vec3d& vertex : vertices) {
+    box.add(vertex);
+    uneven = std::max(uneven, std::fabs(dot(normal, vertex) - plane.offset));
+  }
+  const Vec3d half = (box.high - box.low) * 0.5;
+  const double extent = size(box.middle()) + size(half);
+  plane.block = {box.middle(), half, rounding_share * extent + 2.0 * uneven, shape};
+  // Half of what the accelerator lets count as left behind.
+  plane.rounding = 0.5 * (1e-15 * size(box.middle()) + 1e-14 * box.diagonal());
+  planes_.push_back(plane);
+}
+
+void ShadowScreen::add_ball(Vec3d center, double radius, std::uint32_t shape) {
+  balls_.push_back({center, radius, rounding_share * (size(center) + radius), shape});
+}
+
+/// Both ends lie on one side, or the way begins on the polygon and leaves it, or passes its box.
+bool ShadowScreen::misses(const Way& way, const Plane& plane) {
+  const double begin = dot(plane.normal, way.from) - plane.offset;
+  const double end = dot(plane.normal, way.to) - plane.offset;
+  const double margin = plane.block.slack + way.slack;
+  if (std::min(begin, end) > margin || std::max(begin, end) < -margin) return true;
+  if (plane.block.shape == way.departure.shape && way.departure.side * end > margin &&
+      std::fabs(begin) <= plane.rounding)
+    return true;
+  return misses(way, plane.block);
+}
+
+/// The way's point nearest to the centre lies outside; or it begins on the ball and leaves it, less
+/// than grazing.
+bool ShadowScreen::misses(const Way& way, const Ball& ball) {
+  const Vec3d to_center = ball.center - way.from;
+  const double onwards = dot(to_center, way.way);
+  const double along = std::clamp(onwards / way.square, 0.0, 1.0);
+  const Vec3d nearest = to_center - way.way * along;
+  const double reach = ball.radius + ball.slack + way.slack;
+  if (dot(nearest, nearest) > reach * reach) return true;
+  if (ball.shape != way.departure.shape || !(way.departure.side > 0.0)) return false;
+  constexpr double steep = 1e-3, on = 1e-9;
+  const double square = ball.radius * ball.radius, away = dot(to_center, to_center);
+  return onwards < 0.0 && onwards * onwards > steep * steep * away * way.square &&
+         std::fabs(away - square) <= on * square && way.departure.reach >= 1e-6 * ball.radius;
+}
+
+/// An axis at right angles to a face or to an edge and the way tells them apart (Gottschalk, Lin &
+/// Manocha, "OBBTree", 1996).
+bool ShadowScreen::misses(const Way& way, const Block& block) {
+  const double slack = block.slack + way.slack;
+  const Vec3d b = block.half + Vec3d{slack, slack, slack};
+  const Vec3d m = way.middle - block.middle, &h = way.half, &s = way.half_size;
+  if (std::fabs(m.x) > b.x + s.x || std::fabs(m.y) > b.y + s.y || std::fabs(m.z) > b.z + s.z)
+    return true;
+  return std::fabs(m.y * h.z - m.z * h.y) > b.y * s.z + b.z * s.y ||
+         std::fabs(m.z * h.x - m.x * h.z) > b.z * s.x + b.x * s.z ||
+         std::fabs(m.x * h.y - m.y * h.x) > b.x * s.y + b.y * s.x;
+}
+
+bool ShadowScreen::surely_free(const ShadowQuery& query) const {
+  if (!complete_ || query.portal != no_portal) return false;
+  const Way way(query);
+  const auto missed = [&](const auto& obstacle) { return misses(way, obstacle); };
+  return std::all_of(planes_.begin(), planes_.end(), missed) &&
+         std::all_of(balls_.begin(), balls_.end(), missed) &&
+         std::all_of(blocks_.begin(), blocks_.end(), missed);
+}
+
+}  // namespace portalens

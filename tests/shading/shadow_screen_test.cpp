@@ -1,0 +1,159 @@
+#include "shading/shadow_screen.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "support/random.h"
+#include "support/scale.h"
+#include "support/shading.h"
+
+namespace portalens {
+namespace {
+
+using test::plain_space;
+
+/// A parallelogram about `middle`, no larger than 2.
+Quad random_quad(test::Random& random, Vec3d middle) {
+  const Vec3d n = random.direction(), a = any_perpendicular(n), b = cross(n, a);
+  const double wide = random.uniform(0.2, 1.4), high = random.uniform(0.2, 1.4);
+  const Vec3d corner = middle - a * (0.5 * wide) - b * (0.5 * high);
+  return Quad(std::array<Vec3d, 4>{corner, corner + a * wide, corner + a * wide + b * high,
+                                   corner + b * high});
+}
+
+std::vector<Portal> random_pair(test::Random& random, Vec3d at) {
+  const Vec3d there = random.point(4);
+  std::vector<Vec3d> a{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, b;
+  const Rigid motion = rotation_about({0, 0, 0}, random.point(90));
+  for (const int i : {1, 0, 3, 2}) b.push_back(motion.rotate(a[i]) + there);
+  for (Vec3d& vertex : a) vertex = vertex + at;
+  std::vector<Portal> portals = test::portal_pair(a, b);
+  if (random.uniform(0, 1) < 0.5) portals[0].back_material = 0;
+  return portals;
+}
+
+/// A few things about `at`, some of them over each other.
+Space random_space(test::Random& random, Vec3d at) {
+  const auto place = [&] { return at + random.point(3); };
+  std::vector<Shape> shapes;
+  for (int i = 0; i < 4; ++i) shapes.push_back(random_quad(random, place()));
+  for (int i = 0; i < 2; ++i) shapes.push_back(Sphere(place(), random.uniform(0.2, 1.0)));
+  const Vec3d low = place();
+  shapes.push_back(Quad(
+      std::array<Vec3d, 4>{low, low + Vec3d{2, 0, 0}, low + Vec3d{2, 0, 2}, low + Vec3d{0, 0, 2}}));
+  shapes.push_back(Cube(low + Vec3d{1, 1, 1}, {2, 2, 2}, {0, 0, 0}));  // stands on the last
+  shapes.push_back(Cube(place(), {1, 0.5, 1.5}, random.point(90)));
+  std::vector<Mass> masses(2);
+  for (Mass& mass : masses) {
+    mass.gm = 1.0;
+    mass.center = place();
+    mass.schwarzschild = random.uniform(0.1, 0.7);
+  }
+  masses[1].horizon = false;
+  const bool windows = random.uniform(0, 1) < 0.5;
+  return plain_space(shapes, windows ? random_pair(random, place()) : std::vector<Portal>{},
+                     masses);
+}
+
+/// A place that a photon reached from somewhere, and how it leaves towards `to`; or anywhere.
+ShadowQuery random_query(const Space& space, test::Random& random, Vec3d at) {
+  ShadowQuery query;
+  query.from = at + random.point(5);
+  query.to = at + random.point(5);
+  const auto& shapes = space.surfaces.shapes();
+  const auto some = [&] { return shapes[static_cast<std::size_t>(random.uniform(0, 9))]; };
+  const auto sample = [&](const Shape& shape) {
+    const double u1 = random.uniform(0, 1), u2 = random.uniform(0, 1);
+    return std::visit([&](const auto& s) { return s.sample(u1, u2).position; }, shape);
+  };
+  if (random.uniform(0, 1) < 0.5) query.to = sample(some());
+  if (random.uniform(0, 1) < 0.2) return query;
+  const Vec3d from = at + random.point(5), toward = normalize(sample(some()) - from);
+  const auto hit = space.surfaces.nearest({from, toward}, 0.0, 1e6);
+  if (!hit) return query;
+  query.from = from + toward * hit->distance;
+  const Vec3d normal =
+      space.surfaces.surface_at(hit->shape, hit->face, query.from).geometric_normal;
+  const double side = dot(query.to - query.from, normal) < 0.0 ? -1.0 : 1.0;
+  query.departure = {hit->shape, hit->face, side, 1e-6 * (length(query.from) + 10.0)};
+  return query;
+}
+
+TEST(ShadowScreen, WhatItTakesForFreeIsVisible) {
+  test::Random random(1);
+  int free = 0, visible_ways = 0, from_surfaces = 0;
+  for (int i = 0; i < test::scaled(200); ++i) {
+    const Vec3d at = random.point(i % 4 == 0 ? 1e6 : 10);
+    const Space space = random_space(random, at);
+    const ShadowScreen screen(space);
+    for (int k = 0; k < 500; ++k) {
+      const ShadowQuery query = random_query(space, random, at);
+      const bool seen = visible(space, query);
+      visible_ways += seen;
+      if (!screen.surely_free(query)) continue;
+      ASSERT_TRUE(seen) << "space " << i << ", query " << k;
+      ++free;
+      from_surfaces += query.departure.shape != no_object;
+    }
+  }
+  EXPECT_GT(free, 0.5 * visible_ways);
+  EXPECT_GT(from_surfaces, test::scaled(5000));
+}
+
+TEST(ShadowScreen, AQuadThatIsLeftAndALampThatIsReachedDontHideTheWay) {
+  const Quad floor(std::array<Vec3d, 4>{{{-9, 0, 9}, {9, 0, 9}, {9, 0, -9}, {-9, 0, -9}}});
+  const Quad lamp(std::array<Vec3d, 4>{{{-1, 4, -1}, {1, 4, -1}, {1, 4, 1}, {-1, 4, 1}}});
+  const Space space = plain_space({floor, lamp, Sphere({5, 1, 0}, 1)});
+  const ShadowScreen screen(space);
+  test::Random random(2);
+  for (int i = 0; i < 1000; ++i) {
+    ShadowQuery query;
+    query.to = lamp.sample(random.uniform(0, 1), random.uniform(0, 1)).position;
+    query.from = {random.uniform(-3, 3), 0.0, random.uniform(-3, 3)};
+    query.departure = {0, 0, 1.0, 1e-5};
+    EXPECT_TRUE(screen.surely_free(query));
+    const double around = random.uniform(0, 2 * std::numbers::pi), up = random.uniform(0.2, 0.9);
+    const double across = std::sqrt(1 - up * up);
+    query.from = Vec3d{5, 1, 0} -
+                 Vec3d{across * std::fabs(std::cos(around)), -up, across * std::sin(around)};
+    query.departure = {2, 0, 1.0, 1e-5};
+    const Vec3d normal = query.from - Vec3d{5, 1, 0}, way = query.to - query.from;
+    if (dot(normal, way) <= 0.01 * length(way)) continue;
+    EXPECT_TRUE(screen.surely_free(query));
+  }
+}
+
+TEST(ShadowScreen, LeavesManyThingsAndWaysThroughPortalsToOthers) {
+  ShadowQuery query;
+  query.from = {0, 9, 0};
+  query.to = {0, 9, 5};
+  std::vector<Shape> shapes(20, Sphere({0, 0, 0}, 1));
+  EXPECT_TRUE(ShadowScreen(plain_space(shapes)).surely_free(query));
+  query.portal = 0;
+  EXPECT_FALSE(ShadowScreen(plain_space(shapes)).surely_free(query));
+  query.portal = no_portal;
+  shapes.resize(200, Sphere({0, 0, 0}, 1));
+  EXPECT_FALSE(ShadowScreen(plain_space(shapes)).surely_free(query));
+}
+
+TEST(ShadowScreen, WaysThatAreNoWaysAreLeftToOthers) {
+  const Space space = plain_space({Sphere({0, 0, 0}, 1)});
+  const ShadowScreen screen(space);
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (const Vec3d odd : {Vec3d{nan, 5, 5}, Vec3d{5, infinity, 5}, Vec3d{5, 5, 5}}) {
+    ShadowQuery query;
+    query.from = {5, 5, 5};
+    query.to = odd;
+    EXPECT_FALSE(screen.surely_free(query));
+  }
+}
+
+}  // namespace
+}  // namespace portalens
