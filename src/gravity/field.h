@@ -2,7 +2,6 @@
 /// The whole acceleration of a photon: every mass directly, and what comes through portals.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -13,6 +12,7 @@
 #include "gravity/attraction.h"
 #include "gravity/coupling.h"
 #include "gravity/mass.h"
+#include "gravity/mass_tree.h"
 
 namespace portalens {
 
@@ -33,15 +33,12 @@ struct Bending {
   double nearness = 0.0;   ///< Σ 1 / d⁴, 1/length⁴
 };
 
-/// Field of one scene with one coupling. Borrows the masses and the coupling.
+/// Field of one scene with one coupling. Borrows the masses, their tree and the coupling.
 template <class C>
 class Field {
  public:
-  Field(std::span<const Mass> masses, const C& coupling, double c)
-      : masses_(masses), coupling_(coupling), inverse_c2_(1.0 / (c * c)) {
-    influences_.reserve(masses.size());
-    for (const Mass& mass : masses) influences_.push_back({mass.center, mass.influence});
-  }
+  Field(std::span<const Mass> masses, const MassTree& tree, const C& coupling, double c)
+      : masses_(masses), tree_(tree), coupling_(coupling), inverse_c2_(1.0 / (c * c)) {}
 
   [[nodiscard]] double inverse_c2() const { return inverse_c2_; }
 
@@ -91,16 +88,8 @@ class Field {
   }
 
   /// Distance along the ray at which a mass's influence or the coupling first acts, or infinity.
-  /// @param near  masses among which those are that act before `known`
-  [[nodiscard]] double free_flight(const Ray& ray, double resolution, double extent,
-                                   std::span<const std::uint32_t> near, double known) const {
-    double least = std::numeric_limits<double>::infinity();
-    const auto meet = [&](const Influence& ball) {
-      least = std::min(least, entry(ball.center, ball.radius, ray));
-    };
-    for (const std::uint32_t i : near) meet(influences_[i]);
-    if (!(least <= known))
-      for (const Influence& ball : influences_) meet(ball);
+  [[nodiscard]] double free_flight(const Ray& ray, double resolution, double extent) const {
+    const double least = tree_.entry(ray);
     double s = 0.0;
     while (s < least) {
       const double quiet = coupling_.quiet(ray.at(s));
@@ -111,33 +100,14 @@ class Field {
     return least;
   }
 
-  /// Distance along the ray, > 0, to the surface of the ball from outside; infinity if it is missed
-  /// or lies behind; 0 from inside.
-  [[nodiscard]] static double entry(Vec3d center, double radius, const Ray& ray) {
-    const Vec3d to = center - ray.origin;
-    const double along = dot(to, ray.direction);
-    const double outside = dot(to, to) - radius * radius;
-    if (outside <= 0.0) return 0.0;
-    if (along <= 0.0) return std::numeric_limits<double>::infinity();
-    const Vec3d across = to - ray.direction * along;
-    const double half2 = radius * radius - dot(across, across);
-    if (half2 <= 0.0) return std::numeric_limits<double>::infinity();
-    return outside / (along + std::sqrt(half2));
-  }
-
   [[nodiscard]] static bool within(const Mass& mass, Vec3d x) {
     const Vec3d to = mass.center - x;
     return dot(to, to) < mass.influence * mass.influence;
   }
 
  private:
-  struct Influence {
-    Vec3d center;
-    double radius;
-  };
-
   std::span<const Mass> masses_;
-  std::vector<Influence> influences_;  ///< of all masses, close together: flights ask each
+  const MassTree& tree_;
   const C& coupling_;
   double inverse_c2_;
 };

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "gravity/field.h"
+#include "gravity/influence.h"
 #include "photon/curve.h"
 #include "photon/engine.h"
 #include "photon/horizons.h"
@@ -26,8 +27,8 @@ class Tracer {
   Tracer(const Space& space, const I& integrator, const C& coupling)
       : space_(space),
         integrator_(integrator),
-        field_(space.masses, coupling, space.physics.c),
-        vicinity_(space.masses),
+        field_(space.masses, space.mass_tree, coupling, space.physics.c),
+        vicinity_(space.mass_tree),
         obstacles_(space.surfaces, space.portals),
         gates_(middle_of_portals(space)) {}
 
@@ -115,26 +116,21 @@ class Tracer {
     return travel_.state.position + travel_.state.direction * (1e-9 * space_.extent);
   }
 
-  [[nodiscard]] double free_flight(const Ray& ray, double resolution, double extent) const {
-    return field_.free_flight(ray, resolution, extent, vicinity_.around(),
-                              vicinity_.end_of_around(ray));
-  }
-
   /// Straight flight, outside all influence.
   bool fly() {
     const Ray ray{travel_.state.position, travel_.state.direction};
     const double resolution = 1e-7 * space_.extent;
     // At the edge of a coupling that is not yet felt at least this far.
-    const double reach = std::fmax(
-        2.0 * resolution, free_flight(ray, resolution, 1e3 * space_.extent + length(ray.origin)));
+    const double reach =
+        std::fmax(2.0 * resolution,
+                  field_.free_flight(ray, resolution, 1e3 * space_.extent + length(ray.origin)));
     std::optional<Encounter> met = obstacles_.first(ray, reach, travel_.start);
     double distance = met ? met->distance : reach;
     std::optional<std::uint32_t> swallowed;
-    for (std::uint32_t i = 0; i < space_.masses.size(); ++i) {
+    // Most horizons lie deep within an influence, where the flight ends.
+    for (const std::uint32_t i : space_.mass_tree.bare_horizons()) {
       const Mass& mass = space_.masses[i];
-      // Most lie deep within an influence, where the flight ends.
-      if (!mass.has_horizon() || mass.schwarzschild < mass.influence) continue;
-      const double at = field_.entry(mass.center, mass.schwarzschild, ray);
+      const double at = entry_into(mass.center, mass.schwarzschild, ray);
       if (at <= distance && std::isfinite(at)) distance = at, swallowed = i;
     }
     if (std::isinf(distance)) return end(Fate::escaped);
@@ -199,7 +195,7 @@ class Tracer {
     for (const std::uint32_t i : vicinity_.near()) {
       const Mass& mass = space_.masses[i];
       if (std::isinf(mass.influence)) continue;
-      double at = Field<C>::entry(mass.center, mass.influence, ray);
+      double at = entry_into(mass.center, mass.influence, ray);
       if (at == 0.0) at = exit(mass, ray);
       least = std::fmin(least, at);
     }
@@ -351,7 +347,7 @@ class Tracer {
         rest->turning * rest->closeness > 0.02 * space_.physics.tolerance)
       return false;
     const Ray ray{travel_.state.position, travel_.state.direction};
-    const double reach = free_flight(ray, 1e-7 * space_.extent, 1e3 * space_.extent);
+    const double reach = field_.free_flight(ray, 1e-7 * space_.extent, 1e3 * space_.extent);
     if (reach > 0.0 && std::isfinite(reach)) return false;
     if (obstacles_.first(ray, std::numeric_limits<double>::infinity(), travel_.start)) return false;
     travel_.state.direction = normalize(travel_.state.direction + rest->kick);

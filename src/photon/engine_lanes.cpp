@@ -24,7 +24,6 @@ class LaneDriver {
         step_(step),
         integrator_(Radau::from({space.physics.step, space.physics.tolerance})),
         scalar_(space, integrator_, coupling),
-        vicinity_(space.masses),
         photons_(photons),
         arrivals_(arrivals) {}
 
@@ -164,7 +163,7 @@ class LaneDriver {
       const Photon& photon = photons_[index];
       // What can't begin ends at once.
       if (!is_finite(photon.position) || !is_finite(photon.direction) ||
-          horizon_around(space_.masses, vicinity_.near(), photon.position)) {
+          horizon_around(space_.masses, space_.mass_tree.every(), photon.position)) {
         scalar_.resume(Travel::of(photon));
         scalar_.one_step();
         arrivals_[index] = scalar_.way().arrived();
@@ -184,7 +183,6 @@ class LaneDriver {
   LaneStep step_;
   Radau integrator_;
   Tracer<Radau, C> scalar_;
-  Vicinity vicinity_;  ///< all masses: lanes take only a few
   std::span<const Photon> photons_;
   std::span<Arrival> arrivals_;
   Lanes lanes_;

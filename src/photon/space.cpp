@@ -15,6 +15,7 @@ Space::Space(Physics the_physics, std::uint32_t crossings, std::vector<Shape> sh
       surfaces(std::move(shapes)),
       portals(std::move(the_portals)),
       masses(std::move(the_masses)),
+      mass_tree(masses),
       coupling(
           make_coupling(physics.portal_gravity, {portals.portals(), masses, physics.min_force,
                                                  static_cast<int>(physics.portal_gravity_depth),

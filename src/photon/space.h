@@ -9,6 +9,7 @@
 #include "geometry/accelerator.h"
 #include "gravity/coupling.h"
 #include "gravity/mass.h"
+#include "gravity/mass_tree.h"
 #include "photon/physics.h"
 #include "portal/portal_set.h"
 
@@ -28,6 +29,7 @@ struct Space {
   Accelerator surfaces;
   PortalSet portals;
   std::vector<Mass> masses;
+  MassTree mass_tree;
   Coupling coupling;
   double extent = 1.0;     ///< a length of the scene's size: surfaces, portals, finite influences
   bool unbounded = false;  ///< some influence is infinite
