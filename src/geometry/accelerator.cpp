@@ -68,7 +68,10 @@ struct Accelerator::Implementation {
   /// Whether this is the surface that the path has just left.
   [[nodiscard]] bool left_behind(const Search& search, const SurfaceHit& hit) const;
   void try_plain(Search& search, std::uint32_t shape) const;
-  void try_mesh(Search& search, const MeshTree& mesh) const;
+  /// @param free_until  no triangle of it is met before
+  void try_mesh(Search& search, const MeshTree& mesh, double free_until) const;
+  /// Null if it is no mesh, or has no triangles.
+  [[nodiscard]] const MeshTree* mesh_of(std::uint32_t shape) const;
   [[nodiscard]] std::optional<SurfaceHit> run(Search search) const;
 };
 
@@ -99,6 +102,13 @@ Accelerator::Implementation::Implementation(std::vector<Shape> all) : shapes(std
         tree(plain.size(), [this](std::uint32_t item) { return boxes[plain[item]]; }));
 }
 
+const MeshTree* Accelerator::Implementation::mesh_of(std::uint32_t shape) const {
+  const auto at = std::lower_bound(
+      meshes.begin(), meshes.end(), shape,
+      [](const MeshTree& mesh, std::uint32_t which) { return mesh.shape < which; });
+  return at != meshes.end() && at->shape == shape ? &*at : nullptr;
+}
+
 bool Accelerator::Implementation::left_behind(const Search& search, const SurfaceHit& hit) const {
   const Departure& departure = search.departure;
   if (hit.shape != departure.shape) return false;
@@ -124,8 +134,9 @@ void Accelerator::Implementation::try_plain(Search& search, std::uint32_t shape)
   }
 }
 
-void Accelerator::Implementation::try_mesh(Search& search, const MeshTree& mesh) const {
-  mesh.tree.along(search.ray, search.low, search.high, [&](std::uint32_t face) {
+void Accelerator::Implementation::try_mesh(Search& search, const MeshTree& mesh,
+                                           double free_until) const {
+  mesh.tree.along(search.ray, free_until, search.high, [&](std::uint32_t face) {
     const auto distance = mesh.mesh->cross_triangle(face, search.ray);
     if (distance && *distance >= search.low && *distance <= search.high) {
       const SurfaceHit hit{mesh.shape, face, *distance};
@@ -151,8 +162,12 @@ std::optional<SurfaceHit> Accelerator::Implementation::run(Search search) const 
     for (const std::uint32_t shape : plain)
       if (may_meet(shape)) try_plain(search, shape);
   }
-  for (const MeshTree& mesh : meshes)
-    if (may_meet(mesh.shape)) try_mesh(search, mesh);
+  for (const MeshTree& mesh : meshes) {
+    const auto [first, last] = slab.clip(boxes[mesh.shape], search.low, search.high);
+    if (!(first <= last)) continue;
+    const double low = mesh.grid.free_until(search.ray, first, last, 0.0);
+    if (low <= last) try_mesh(search, mesh, low);
+  }
   return search.best;
 }
 
@@ -175,23 +190,6 @@ bool Accelerator::blocked(const Ray& ray, double low, double high,
   return nearest(ray, low, high, departure).has_value();
 }
 
-namespace {
-
-/// Whether a triangle may lie within `radius` of the stretch of the ray. Goes along it by as much
-/// as is free around it each time, and says yes where that is too little to get on.
-bool may_pass(const MeshTree& mesh, const Ray& ray, double first, double last, double radius) {
-  constexpr int most_strides = 12;
-  for (int i = 0; i < most_strides; ++i) {
-    const double free = mesh.grid.clearance(ray.at(first));
-    if (free <= radius) return true;
-    first += free - radius;
-    if (first >= last) return false;
-  }
-  return true;
-}
-
-}  // namespace
-
 double Accelerator::clearance(Vec3d x, double limit) const {
   const Implementation& all = *implementation_;
   if (!is_finite(x)) return 0.0;
@@ -199,6 +197,18 @@ double Accelerator::clearance(Vec3d x, double limit) const {
   for (const std::uint32_t shape : all.plain)
     if (all.boxes[shape].distance(x) < least) least = std::min(least, all.clearance(shape, {x, x}));
   for (const MeshTree& mesh : all.meshes) least = std::min(least, mesh.grid.clearance(x));
+  return least;
+}
+
+double Accelerator::clearance(Vec3d x, std::span<const std::uint32_t> among) const {
+  const Implementation& all = *implementation_;
+  if (!is_finite(x)) return 0.0;
+  double least = infinity;
+  for (const std::uint32_t shape : among) {
+    if (!(all.boxes[shape].distance(x) < least)) continue;
+    const MeshTree* mesh = all.mesh_of(shape);
+    least = std::min(least, mesh ? mesh->grid.clearance(x) : all.clearance(shape, {x, x}));
+  }
   return least;
 }
 
@@ -219,7 +229,7 @@ bool Accelerator::near(const Segment& segment, double radius) const {
   for (const MeshTree& mesh : all.meshes) {
     const auto [first, last] = part_near(mesh.shape);
     if (!(first <= last)) continue;
-    if (may_pass(mesh, ray, first, last, radius)) return true;
+    if (mesh.grid.free_until(ray, first, last, radius) <= last) return true;
   }
   return false;
 }
@@ -237,12 +247,11 @@ std::optional<Contact> Accelerator::contact_near(std::uint32_t shape, std::uint3
   if (const auto* mesh = std::get_if<Mesh>(&all.shapes[shape])) {
     const auto own = mesh->cross_triangle(face, ray);
     if (own && std::fabs(*own) <= reach) return Contact{*own, face};
-    const auto tree = std::find_if(all.meshes.begin(), all.meshes.end(),
-                                   [&](const MeshTree& m) { return m.shape == shape; });
+    const MeshTree* tree = all.mesh_of(shape);
     const Departure none;
     const auto search = [&](const Ray& way, double limit) -> std::optional<Contact> {
       Search query{way, 0.0, limit, none, std::nullopt};
-      all.try_mesh(query, *tree);
+      all.try_mesh(query, *tree, 0.0);
       if (!query.best) return std::nullopt;
       return Contact{query.best->distance, query.best->face};
     };

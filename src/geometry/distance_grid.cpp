@@ -89,6 +89,14 @@ void spread_along(std::vector<std::uint32_t>& cells, std::size_t stride, int cou
 
 }  // namespace
 
+inline std::array<int, 3> DistanceGrid::cell_at(Vec3d x) const {
+  const auto along = [this](double from_low, int count) {
+    return std::clamp(static_cast<int>(from_low * per_cell_), 0, count - 1);
+  };
+  const Vec3d d = x - low_;
+  return {along(d.x, count_[0]), along(d.y, count_[1]), along(d.z, count_[2])};
+}
+
 DistanceGrid::DistanceGrid(const Mesh& mesh) {
   const Box box = mesh.bounds();
   low_ = box.low, high_ = box.high;
@@ -99,6 +107,7 @@ DistanceGrid::DistanceGrid(const Mesh& mesh) {
       std::clamp(std::cbrt(cells_a_triangle * triangles), static_cast<double>(least_cells),
                  static_cast<double>(most_cells));
   cell_ = std::max({size.x, size.y, size.z}) / std::floor(along);
+  per_cell_ = 1.0 / cell_;
   const auto cells_of = [&](double side) {
     return std::clamp(static_cast<int>(std::ceil(side / cell_)), 1, most_cells);
   };
@@ -138,27 +147,31 @@ DistanceGrid::DistanceGrid(const Mesh& mesh) {
         std::min(std::floor(parts * std::sqrt(static_cast<double>(square))), 255.0)));
 }
 
-std::array<int, 3> DistanceGrid::cell_at(Vec3d x) const {
-  const auto along = [&](double from_low, int count) {
-    return static_cast<int>(std::clamp(from_low / cell_, 0.0, static_cast<double>(count - 1)));
-  };
-  const Vec3d d = x - low_;
-  return {along(d.x, count_[0]), along(d.y, count_[1]), along(d.z, count_[2])};
-}
-
 double DistanceGrid::clearance(Vec3d x) const {
   const Vec3d inside{std::clamp(x.x, low_.x, high_.x), std::clamp(x.y, low_.y, high_.y),
                      std::clamp(x.z, low_.z, high_.z)};
-  const std::array<int, 3> at = cell_at(inside);
-  const std::size_t index =
-      static_cast<std::size_t>(at[0]) +
-      static_cast<std::size_t>(count_[0]) *
-          (static_cast<std::size_t>(at[1]) +
-           static_cast<std::size_t>(count_[1]) * static_cast<std::size_t>(at[2]));
+  const CellIndex at = cell_at(inside);
+  const int index = at[0] + count_[0] * (at[1] + count_[1] * at[2]);
+  const double free = free_[static_cast<std::size_t>(index)] * (cell_ / parts);
   // Seen from outside, the mesh lies behind the plane through `inside` across the way there.
-  const double free = free_[index] * (cell_ / parts);
   const Vec3d out = x - inside;
-  return std::max(0.0, std::sqrt(dot(out, out) + free * free) - slack_);
+  const double away2 = dot(out, out);
+  return std::max(0.0, (away2 > 0.0 ? std::sqrt(away2 + free * free) : free) - slack_);
+}
+
+double DistanceGrid::free_until(const Ray& ray, double low, double high, double radius) const {
+  constexpr int most_strides = 16;
+  const double worth = 0.5 * cell_;
+  // More than rounding can make of places on the ray.
+  const double blur =
+      1e-14 * (std::fabs(ray.origin.x) + std::fabs(ray.origin.y) + std::fabs(ray.origin.z) + high);
+  for (int i = 0; i < most_strides; ++i) {
+    const double free = clearance(ray.at(low)) - radius - blur;
+    if (!(free > worth)) return low;
+    low += free;
+    if (low > high) return low;
+  }
+  return low;
 }
 
 }  // namespace portalens

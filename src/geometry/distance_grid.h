@@ -22,6 +22,11 @@ class DistanceGrid {
   /// is a few cells.
   [[nodiscard]] double clearance(Vec3d x) const;
 
+  /// Where the ray comes so near the mesh that something may lie within `radius` of it: nothing
+  /// does from `low` up to there. Beyond `high` if nothing does up to that.
+  /// @pre low and high are finite
+  [[nodiscard]] double free_until(const Ray& ray, double low, double high, double radius) const;
+
   /// The side of a cell.
   [[nodiscard]] double cell() const { return cell_; }
 
@@ -31,6 +36,7 @@ class DistanceGrid {
 
   Vec3d low_, high_;                ///< of the mesh's box
   double cell_ = 0.0;               ///< length of its sides
+  double per_cell_ = 0.0;           ///< 1/length
   double slack_ = 0.0;              ///< more than rounding can make of a place
   std::array<int, 3> count_{};      ///< of cells
   std::vector<std::uint8_t> free_;  ///< from anywhere in a cell, in quarters of its side

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "gravity/field.h"
 #include "gravity/influence.h"
@@ -332,8 +333,8 @@ class Tracer {
       return std::nullopt;
     }
     const double flatness = 0.5 * space_.physics.tolerance * (travel_.arrival.length + h);
-    free_length_ = 0.0;
-    return obstacles_.first(curve, flatness, travel_.start);
+    const double free = std::exchange(free_length_, 0.0);
+    return obstacles_.first(curve, free, flatness, travel_.start);
   }
 
   /// Outside everything but infinite influences, on a straight way that meets nothing, with less

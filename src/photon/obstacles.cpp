@@ -23,10 +23,11 @@ std::optional<Encounter> Obstacles::first(const Ray& ray, double high,
   return found;
 }
 
-std::optional<Encounter> Obstacles::first(const Curve& curve, double flatness,
+std::optional<Encounter> Obstacles::first(const Curve& curve, double free, double flatness,
                                           const PathStart& start) const {
-  const double end = curve.length();
-  return in_piece(curve, {0.0, end, curve.position(0.0), curve.position(end)}, flatness, start);
+  // A little less than that far: something may lie there.
+  const double from = 0.99 * free, end = curve.length();
+  return in_piece(curve, {from, end, curve.position(from), curve.position(end)}, flatness, start);
 }
 
 std::optional<Encounter> Obstacles::in_piece(const Curve& curve, const Piece& piece,

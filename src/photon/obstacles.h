@@ -48,7 +48,8 @@ class Obstacles {
   /// The first encounter at 0 <= s <= length. Pieces of the curve whose chord passes within their
   /// sagitta of something are halved until the sagitta is below `flatness`; the hit is then refined
   /// on the curve itself.
-  [[nodiscard]] std::optional<Encounter> first(const Curve& curve, double flatness,
+  /// @param free  nothing is met before
+  [[nodiscard]] std::optional<Encounter> first(const Curve& curve, double free, double flatness,
                                                const PathStart& start) const;
 
   /// The first encounter on a straight way; `high` may be infinite.

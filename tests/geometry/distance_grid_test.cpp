@@ -60,6 +60,33 @@ TEST(DistanceGrid, NeverTellsMoreThanTheDistanceAndNotMuchLess) {
   }
 }
 
+TEST(DistanceGrid, ARayIsFreeAsFarAsItSays) {
+  int passed = 0, rays = 0;
+  for (const Mesh& mesh : meshes_about({3, 2, 1})) {
+    const DistanceGrid grid(mesh);
+    Random random(24);
+    for (int i = 0; i < scaled(500); ++i) {
+      const Ray ray = ray_towards(mesh, random);
+      const double low = random.uniform(0.0, 2.0), high = low + random.uniform(0.0, 4.0);
+      const double radius = i % 2 ? random.uniform(0.0, 0.3) : 0.0;
+      const double until = grid.free_until(ray, low, high, radius);
+      EXPECT_GE(until, low);
+      for (int k = 0; k < 10; ++k) {
+        const double at = std::min(until, high) * random.uniform(0.0, 1.0);
+        if (at >= low) {
+          EXPECT_GE(distance_to(mesh, ray.at(at)), radius);
+        }
+      }
+      if (const auto met = mesh.intersect(ray, low, high)) {
+        EXPECT_LE(until, met->distance);
+      }
+      passed += until > low ? 1 : 0;
+      ++rays;
+    }
+  }
+  EXPECT_GT(passed, rays / 4);
+}
+
 TEST(DistanceGrid, TellsNothingOnTheMesh) {
   for (const Mesh& mesh : meshes_about({3, 2, 1})) {
     const DistanceGrid grid(mesh);
