@@ -81,14 +81,33 @@ Contestant reference_for(const Subject& subject, const Subject& euler) {
   return reference;
 }
 
+/// What `render` does by default; null where it sends every photon.
+std::optional<Contestant> fewer_photons(const World& world) {
+  if (!interpolates(world, {})) return std::nullopt;
+  auto guard = BeamGuard::over(world.space);
+  if (!guard) return std::nullopt;
+  const auto kept = std::make_shared<const BeamGuard>(std::move(*guard));
+  const Travel travel = [&world, kept](std::span<const Photon> photons,
+                                       std::span<Arrival> arrivals) {
+    const double pixels = static_cast<double>(world.film.width) * world.film.height;
+    const double step = std::sqrt(pixels / static_cast<double>(photons.size()));
+    const std::vector<Arrival> found =
+        interpolated_arrivals(world, *kept, static_cast<int>(std::lround(step)));
+    std::copy(found.begin(), found.end(), arrivals.begin());
+  };
+  return Contestant{"fewer photons", travel, 1, [&world] { (void)take_picture(world); }};
+}
+
 std::vector<Contestant> contestants(const Subject& subject, const Subject& euler) {
   std::vector<Contestant> all{reference_for(subject, euler)};
   const Travel scalar = engine_of(subject, Engine::scalar);
   all.push_back({"scalar", scalar, every,
                  [&subject, scalar] { (void)take_pixels(subject.world, every, scalar); }});
-  all.push_back({subject.world.space.lanes ? "lanes" : "render, without lanes",
+  const World& world = subject.world;
+  all.push_back({world.space.lanes ? "lanes" : "render, without lanes",
                  engine_of(subject, Engine::automatic), 1,
-                 [&subject] { (void)take_picture(subject.world); }});
+                 [&world] { (void)take_picture(world, 1, Engine::automatic, Photons::all); }});
+  if (auto interpolating = fewer_photons(world)) all.push_back(std::move(*interpolating));
   return all;
 }
 

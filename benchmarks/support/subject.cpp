@@ -58,7 +58,9 @@ std::vector<Photon> camera_photons(const World& world, int every) {
 
 std::string recipe_of(const Subject& subject) {
   std::string recipe = "sources " PORTALENS_ORACLE_DIGEST "\n";
-  for (const auto& [name, value] : fingerprint_of(subject.scene, subject.world, Engine::scalar))
+  RenderOptions scalar;
+  scalar.engine = Engine::scalar;
+  for (const auto& [name, value] : fingerprint_of(subject.scene, subject.world, scalar))
     if (name != "the program") recipe += name + " = " + value + '\n';
   return recipe;
 }

@@ -58,8 +58,8 @@ Scene asked_scene(RenderArguments& arguments) {
 }
 
 Provenance provenance_of(const Scene& scene, const World& world, const RenderArguments& arguments) {
-  Provenance provenance{fingerprint_of(scene, world, arguments.options.engine),
-                        world_metadata(world), scene_words(arguments)};
+  Provenance provenance{fingerprint_of(scene, world, arguments.options), world_metadata(world),
+                        scene_words(arguments)};
   if (!arguments.layers.empty())
     provenance.metadata.emplace_back("portalens:objects", object_list(world));
   return provenance;

@@ -91,6 +91,13 @@ void add_work_options(CLI::App& command, RenderArguments& arguments) {
       ->transform(one_of(std::map<std::string, Engine>{{"automatic", Engine::automatic},
                                                        {"scalar", Engine::scalar}}))
       ->type_name("automatic|scalar");
+  command
+      .add_option("--photons", arguments.options.photons,
+                  "fewer: where neighbouring photons agree, what those between them would find is "
+                  "interpolated (in lanes only); all: every sample has a photon of its own")
+      ->transform(
+          one_of(std::map<std::string, Photons>{{"fewer", Photons::fewer}, {"all", Photons::all}}))
+      ->type_name("fewer|all");
 }
 
 /// Whether the command line says how long that side of the film is.

@@ -58,6 +58,8 @@ std::string statistics_text(const RenderResult& result, const std::string& scene
   };
   line("camera samples", fmt::format("{}", tally.samples));
   line("photons", fmt::format("{}", tally.photons));
+  if (tally.interpolated > 0)
+    line("interpolated", fmt::format("{}, with {} guides", tally.interpolated, tally.guides));
   for (int i = 0; i < fate_count; ++i)
     line("", fmt::format("{:<10}{:>12}  {:6.2f} %", fate_names[i], tally.fates[i],
                          100.0 * per(tally.fates[i], photons)));
@@ -88,6 +90,8 @@ Json statistics_json(const RenderResult& result, const std::filesystem::path& pi
       {"samples_per_pixel", result.samples.count()},
       {"samples", tally.samples},
       {"photons", tally.photons},
+      {"interpolated", tally.interpolated},
+      {"guides", tally.guides},
       {"fates", fates},
       {"not_finite", tally.not_finite},
       {"steps", tally.steps},

@@ -18,14 +18,16 @@ Integrator integrator_of(const Physics& physics) {
 
 }  // namespace
 
+bool takes_lanes(const Space& space, Engine engine) {
+  return engine == Engine::automatic && space.lanes && lane_engine().step;
+}
+
 void advance(const Space& space, std::span<const Photon> photons, std::span<Arrival> arrivals,
              Engine engine) {
   assert(photons.size() == arrivals.size());
-  if (engine == Engine::automatic && space.lanes) {
-    if (const LaneStep step = lane_engine().step) {
-      advance_in_lanes(space, *space.lanes, step, photons, arrivals);
-      return;
-    }
+  if (takes_lanes(space, engine)) {
+    advance_in_lanes(space, *space.lanes, lane_engine().step, photons, arrivals);
+    return;
   }
   std::visit(
       [&](const auto& integrator, const auto& coupling) {
@@ -34,6 +36,13 @@ void advance(const Space& space, std::span<const Photon> photons, std::span<Arri
           arrivals[i] = tracer.advance(photons[i], nullptr);
       },
       integrator_of(space.physics), space.coupling);
+}
+
+void advance_with_trails(const Space& space, std::span<const Photon> photons,
+                         std::span<Arrival> arrivals, std::span<Trail> trails) {
+  assert(takes_lanes(space, Engine::automatic));
+  assert(photons.size() == arrivals.size() && photons.size() == trails.size());
+  advance_in_lanes(space, *space.lanes, lane_engine().step, photons, arrivals, trails);
 }
 
 Arrival advance_recorded(const Space& space, const Photon& photon, Journey& journey) {

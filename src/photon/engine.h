@@ -8,6 +8,7 @@
 
 #include "photon/photon.h"
 #include "photon/space.h"
+#include "photon/trail.h"
 
 namespace portalens {
 
@@ -26,6 +27,15 @@ struct Journey {
 /// @pre photons.size() == arrivals.size(), directions are unit vectors
 void advance(const Space& space, std::span<const Photon> photons, std::span<Arrival> arrivals,
              Engine engine = Engine::automatic);
+
+/// Whether that engine advances photons of the space in lanes.
+[[nodiscard]] bool takes_lanes(const Space& space, Engine engine);
+
+/// The same in lanes, with the trails of all photons in few words.
+/// @pre takes_lanes(space, Engine::automatic), trails.size() == photons.size(), and the trails are
+/// new
+void advance_with_trails(const Space& space, std::span<const Photon> photons,
+                         std::span<Arrival> arrivals, std::span<Trail> trails);
 
 /// The same for one photon, with its way written down.
 [[nodiscard]] Arrival advance_recorded(const Space& space, const Photon& photon, Journey& journey);

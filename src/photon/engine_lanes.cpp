@@ -18,14 +18,15 @@ template <class C>
 class LaneDriver {
  public:
   LaneDriver(const Space& space, const LanePlan& plan, LaneStep step, const C& coupling,
-             std::span<const Photon> photons, std::span<Arrival> arrivals)
+             std::span<const Photon> photons, std::span<Arrival> arrivals, std::span<Trail> trails)
       : space_(space),
         plan_(plan),
         step_(step),
         integrator_(Radau::from({space.physics.step, space.physics.tolerance})),
         scalar_(space, integrator_, coupling),
         photons_(photons),
-        arrivals_(arrivals) {}
+        arrivals_(arrivals),
+        trails_(trails) {}
 
   void run() {
     for (int lane = 0; lane < lane_count; ++lane) refill(lane);
@@ -33,6 +34,7 @@ class LaneDriver {
       std::uint32_t events = step_(plan_.scene, lanes_);
       // Only where the step was not taken can a lane still be as it was put there.
       const std::uint32_t was_fresh = std::exchange(fresh_, 0);
+      if (!trails_.empty()) note_places(~events);
       for (; events != 0; events &= events - 1) {
         const int lane = std::countr_zero(events);
         const auto event = static_cast<LaneEvent>(static_cast<int>(lanes_.event[lane]));
@@ -73,6 +75,7 @@ class LaneDriver {
       return;
     }
     const Travel way{state, starts_[lane], arrival};
+    if (!trails_.empty()) note_place(lane, state);
     scalar_.resume(way);
     const bool arrived = event == LaneEvent::portal    ? meet_portal(way, object)
                          : event == LaneEvent::horizon ? scalar_.absorb(object)
@@ -81,7 +84,12 @@ class LaneDriver {
       arrival = scalar_.way().arrived();
       end(lane);
     } else {
+      if (!trails_.empty() && scalar_.way().arrival.crossings != arrival.crossings) {
+        Trail& told = trails_[photon_[lane]];
+        event == LaneEvent::portal ? told.cross(object) : told.lose_sight();
+      }
       arrival = scalar_.way().arrival;
+      if (!trails_.empty()) note_place(lane, scalar_.way().state);
       put(lane, scalar_.way().state, scalar_.way().start, scalar_.free_length());
     }
   }
@@ -99,7 +107,33 @@ class LaneDriver {
     return true;
   }
 
+  /// Where lane `lane` is, at the length that its arrival tells.
+  void note_place(int lane, const State& state) {
+    const Arrival& arrival = arrivals_[photon_[lane]];
+    trails_[photon_[lane]].pass(state.position, arrival.length, arrival.turning);
+  }
+
+  /// Where those lanes are that a step has moved.
+  void note_places(std::uint32_t moved) {
+    for (; moved != 0; moved &= moved - 1) {
+      const int lane = std::countr_zero(moved);
+      if (lanes_.live[lane] > 0.0f)
+        trails_[photon_[lane]].pass(
+            plan_.center + Vec3d{lanes_.x[lane], lanes_.y[lane], lanes_.z[lane]},
+            lanes_.length[lane], lanes_.turning[lane]);
+    }
+  }
+
+  /// Notes where the way ends; one to the sky, as far as there is anything.
+  void note_end(const Arrival& arrival, Trail& way) const {
+    way.pass(arrival.position, arrival.length, arrival.turning);
+    if (arrival.fate != Fate::escaped) return;
+    const double rest = length(arrival.position - plan_.center) + plan_.scene.radius;
+    way.pass(arrival.position + arrival.direction * rest, arrival.length + rest, arrival.turning);
+  }
+
   void end(int lane) {
+    if (!trails_.empty()) note_end(arrivals_[photon_[lane]], trails_[photon_[lane]]);
     --travelling_;
     refill(lane);
   }
@@ -191,6 +225,7 @@ class LaneDriver {
       photon_[lane] = index;
       arrivals_[index] = Arrival{};
       put(lane, {photon.position, photon.direction}, {photon.departure}, 0.0);
+      if (!trails_.empty()) note_place(lane, states_[lane]);
       ++travelling_;
       return;
     }
@@ -204,6 +239,7 @@ class LaneDriver {
   Tracer<Radau, C> scalar_;
   std::span<const Photon> photons_;
   std::span<Arrival> arrivals_;
+  std::span<Trail> trails_;  ///< empty where nobody asks
   Lanes lanes_;
   std::array<State, lane_count> states_;  ///< where they were put, in double
   std::array<PathStart, lane_count> starts_;
@@ -218,10 +254,11 @@ class LaneDriver {
 }  // namespace
 
 void advance_in_lanes(const Space& space, const LanePlan& plan, LaneStep step,
-                      std::span<const Photon> photons, std::span<Arrival> arrivals) {
+                      std::span<const Photon> photons, std::span<Arrival> arrivals,
+                      std::span<Trail> trails) {
   std::visit(
       [&](const auto& coupling) {
-        LaneDriver(space, plan, step, coupling, photons, arrivals).run();
+        LaneDriver(space, plan, step, coupling, photons, arrivals, trails).run();
       },
       space.coupling);
 }

@@ -7,13 +7,16 @@
 
 #include "photon/lane_plan.h"
 #include "photon/photon.h"
+#include "photon/trail.h"
 
 namespace portalens {
 
 struct Space;
 
+/// @param trails  empty, or one for each photon, which gets its way
 /// @pre `step` is not null; `plan` was made from `space`
 void advance_in_lanes(const Space& space, const LanePlan& plan, LaneStep step,
-                      std::span<const Photon> photons, std::span<Arrival> arrivals);
+                      std::span<const Photon> photons, std::span<Arrival> arrivals,
+                      std::span<Trail> trails = {});
 
 }  // namespace portalens

@@ -75,10 +75,10 @@ std::string processor_kind() {
   return "older than sse4";
 }
 
-std::string engine_name(const World& world, Engine engine) {
-  if (engine == Engine::automatic && world.space.lanes && lane_engine().step)
-    return "lanes of " + std::string(lane_engine().name);
-  return "scalar";
+std::string engine_name(const World& world, const RenderOptions& options) {
+  if (!takes_lanes(world.space, options.engine)) return "scalar";
+  return fmt::format("lanes of {}, {}", lane_engine().name,
+                     interpolates(world, options) ? "fewer photons" : "all photons");
 }
 
 std::string layer_list(const std::vector<Layer>& layers) {
@@ -90,11 +90,11 @@ std::string layer_list(const std::vector<Layer>& layers) {
 
 }  // namespace
 
-Fingerprint fingerprint_of(const Scene& scene, const World& world, Engine engine) {
+Fingerprint fingerprint_of(const Scene& scene, const World& world, const RenderOptions& options) {
   Fingerprint fingerprint = {
       {"the program", PORTALENS_VERSION " (sources " PORTALENS_SOURCE_DIGEST ")"},
       {"the kind of processor", processor_kind()},
-      {"the engine", engine_name(world, engine)},
+      {"the engine", engine_name(world, options)},
       {"film.width", fmt::format("{}", world.film.width)},
       {"film.height", fmt::format("{}", world.film.height)},
       {"sampler.samples", fmt::format("{}", world.sampling.samples)},

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "photon/engine.h"
 #include "render/assignment.h"
+#include "render/render.h"
 #include "scene/scene.h"
 #include "world/world.h"
 
@@ -19,8 +19,10 @@ using Fingerprint = std::vector<std::pair<std::string, std::string>>;
 
 /// The program's version and sources, the kind of processor, the engine, every key of the scene and
 /// the digest of every file that it names. The objects of a large scene share one digest.
-/// @param scene  with all that was overridden in it, as `world` was compiled from it
-[[nodiscard]] Fingerprint fingerprint_of(const Scene& scene, const World& world, Engine engine);
+/// @param scene    with all that was overridden in it, as `world` was compiled from it
+/// @param options  of which the engine and the photons are looked at
+[[nodiscard]] Fingerprint fingerprint_of(const Scene& scene, const World& world,
+                                         const RenderOptions& options);
 
 /// The part of the picture, as the options that ask for it.
 [[nodiscard]] Fingerprint fingerprint_of(const Assignment& assignment);

@@ -6,6 +6,8 @@
 #include <span>
 #include <utility>
 
+#include "photon/beam.h"
+#include "render/lattice.h"
 #include "render/pace.h"
 #include "render/parallel.h"
 #include "render/wave.h"
@@ -21,6 +23,7 @@ constexpr std::uint64_t most_layer_pixels = 4096;
 /// What one tile at a time is taken in.
 struct TileRoom {
   WaveRoom carried;
+  std::vector<FilmPlace> places;  ///< of the camera photons
   std::vector<Rgb> light;
   std::vector<std::uint32_t> lost;
   std::vector<PixelSample> lost_places;
@@ -51,6 +54,7 @@ struct Shared {
   const World& world;
   Exposure& exposure;
   Engine engine;
+  std::optional<BeamGuard> guard;  ///< none: every photon goes its own way
   Progress* progress;
   std::mutex telling{};  ///< held while progress is told: whoever listens may take its time
   Pace photons{512, most_in_wave}, layer_pixels{16, most_layer_pixels};
@@ -72,6 +76,7 @@ class TileTaker {
     TileProgress progress = shared.exposure.progress(tile);
     done_ = progress.done;
     sum_ = SampleSum(work_.begun(done_, assignment_.range), progress.sums);
+    if (shared.guard) lattice_.emplace(world_, *shared.guard, work_.tile);
   }
   TileTaker(const TileTaker&) = delete;
   TileTaker& operator=(const TileTaker&) = delete;
@@ -101,8 +106,12 @@ class TileTaker {
     room_->lost.clear();
     room_->lost_places.clear();
     send_camera_photons(count);
+    bool from_camera = true;
     const auto travel = [&](std::span<const Photon> photons, std::span<Arrival> arrivals) {
-      advance(world_.space, photons, arrivals, shared_.engine);
+      if (std::exchange(from_camera, false) && lattice_)
+        lattice_->advance(photons, room_->places, arrivals, tally);
+      else
+        advance(world_.space, photons, arrivals, shared_.engine);
     };
     carry_light(world_.space, world_.appearance, room_->carried, room_->light, travel, tally,
                 &room_->lost);
@@ -163,11 +172,15 @@ class TileTaker {
 
   void send_camera_photons(std::uint64_t count) {
     std::vector<Photon>& photons = room_->carried.wave;
+    std::vector<FilmPlace>& places = room_->places;
     photons.resize(count);
+    places.resize(count);
     const FilmCamera view(world_.camera, world_.film.width, world_.film.height);
     PixelSample at = place(done_);
     for (std::uint64_t i = 0; i < count; ++i, go_on(at)) {
-      photons[i] = camera_photon(world_, view, at);
+      const PixelSampler sampler = sampler_of(world_, at);
+      places[i] = film_place(world_, sampler, at);
+      photons[i] = camera_photon(sampler, view, places[i], at.sample);
       photons[i].sample = photons[i].slot = static_cast<std::uint32_t>(i);
     }
   }
@@ -180,6 +193,7 @@ class TileTaker {
   std::uint64_t done_ = 0;
   SampleSum sum_;
   std::unique_ptr<TileRoom> room_;
+  std::optional<Lattice> lattice_;
 };
 
 /// Empty channels of that many pixels for the layers.
@@ -220,9 +234,15 @@ Assignment assignment_of(const World& world, const RenderOptions& options) {
           options.layers, options.tile_size};
 }
 
+bool interpolates(const World& world, const RenderOptions& options) {
+  return options.photons == Photons::fewer && takes_lanes(world.space, options.engine);
+}
+
 void expose(const World& world, Exposure& exposure, const RenderOptions& options,
             Progress* progress, const Cancellation* cancellation) {
-  Shared shared{world, exposure, options.engine, progress};
+  Shared shared{world, exposure, options.engine,
+                interpolates(world, options) ? BeamGuard::over(world.space) : std::nullopt,
+                progress};
   std::vector<std::size_t> left;
   const Account account = exposure.account();
   for (std::size_t i = 0; i < account.complete.size(); ++i)

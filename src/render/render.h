@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,10 +17,15 @@
 
 namespace portalens {
 
+/// Whether every sample has a photon of its own, or what it would find is interpolated where its
+/// neighbours agree (lattice.h). Only lanes know how.
+enum class Photons : std::uint8_t { fewer, all };
+
 struct RenderOptions {
   int threads = 0;     ///< 0: as many as the machine runs at once
   int tile_size = 32;  ///< pixels along a tile's side, >= 1
   Engine engine = Engine::automatic;
+  Photons photons = Photons::fewer;
   std::optional<Window> crop;  ///< the part of the picture to take; it must lie within the film
   std::optional<SampleRange> samples;  ///< those to take of each pixel's; by default all
   std::vector<Layer> layers;           ///< to take besides; in the order of `Layer`, each once
@@ -60,12 +66,15 @@ struct RenderResult {
 /// What the options ask of a world's picture.
 [[nodiscard]] Assignment assignment_of(const World& world, const RenderOptions& options);
 
+/// Whether samples of the world's picture may be interpolated.
+[[nodiscard]] bool interpolates(const World& world, const RenderOptions& options);
+
 /// Goes on with an exposure until it is complete or cancelled. A pixel is the mean of its samples
 /// (box filter); a single sample lies in its centre. The picture is the same bits whatever the
 /// threads, the tiles, the window and the interruptions: a pixel depends on the world and on its
 /// own place alone. A cancellation is obeyed after some tenths of a second, within a tile; only
 /// where a single photon takes longer it waits for that.
-/// @param options  of which the threads and the engine are used
+/// @param options  of which the threads, the engine and the photons are used
 /// @throws what working may (std::bad_alloc)
 void expose(const World& world, Exposure& exposure, const RenderOptions& options,
             Progress* progress = nullptr, const Cancellation* cancellation = nullptr);

@@ -1,0 +1,64 @@
+/// \file
+/// Whether the light between neighbouring photons does what they do.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "geometry/shape.h"
+#include "photon/photon.h"
+#include "photon/space.h"
+#include "photon/trail.h"
+
+namespace portalens {
+
+/// Looks for whatever could change the way of the light between four photons: surfaces, portals and
+/// horizons that the four did not meet, however small, and borders of influence that run along
+/// between them. Immutable, safe from any thread; borrows the space.
+class BeamGuard {
+ public:
+  /// Null where there is too much to look through for every beam.
+  [[nodiscard]] static std::optional<BeamGuard> over(const Space& space);
+  BeamGuard(BeamGuard&&) = default;
+
+  /// True only if the beam between the four trails meets nothing but what they met. What they met
+  /// themselves is the caller's to compare.
+  /// @pre the trails are known, and entered the same portals
+  /// @param end  how one of them ended
+  [[nodiscard]] bool clear(const std::array<const Trail*, 4>& trails, const Arrival& end) const;
+
+ private:
+  /// Something that light can meet, within a ball.
+  struct Obstacle {
+    const Shape* shape;  ///< null: the ball itself
+    Vec3d center;
+    double radius;
+    Met kind;             ///< `portal_back` for either side of a portal
+    std::uint32_t index;  ///< of the shape, the portal, or the mass
+  };
+  /// A piece of the beam: everything within `from_radius` at its start, growing evenly to
+  /// `to_radius` at its end.
+  struct Piece {
+    Vec3d from, to;
+    double from_radius, to_radius;
+    bool last;  ///< of its stretch
+  };
+  class Follower;
+
+  explicit BeamGuard(const Space& space);
+
+  void add(const Shape* shape, const Box& box, Met kind, std::uint32_t index);
+  [[nodiscard]] static std::vector<Piece> beam_of(const std::array<const Trail*, 4>& trails);
+  [[nodiscard]] bool met(const Obstacle& obstacle, const Trail& trail, const Arrival& end) const;
+  [[nodiscard]] static bool touches(const Piece& piece, const Obstacle& obstacle, int halvings);
+  [[nodiscard]] bool along_border(const std::vector<Piece>& beam) const;
+
+  const Space* space_;
+  std::vector<Obstacle> obstacles_;
+  std::deque<Shape> faces_;  ///< of the portals; they stay where they are when this moves
+};
+
+}  // namespace portalens

@@ -1,0 +1,66 @@
+/// \file
+/// The way that a photon took, in few words: places on it, in order.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "math/vec3.h"
+
+namespace portalens {
+
+/// A place on a way; between two neighbours of a stretch the way strays from the straight one by no
+/// more than a quarter of its length times what it turns.
+struct Waypoint {
+  Vec3<float> place;
+  float length = 0.0f;       ///< of the way until here
+  float turning = 0.0f;      ///< likewise, radians
+  std::int32_t stretch = 0;  ///< how many portals were crossed before
+};
+
+/// A way written down while it was gone; where it ran off to the sky, until there is nothing more
+/// that could be met.
+class Trail {
+ public:
+  void pass(Vec3d place, double length, double turning) {
+    if (points_.empty()) points_.reserve(16);
+    if (points_.size() == most_points) known_ = false;
+    if (!known_) return;
+    points_.push_back(
+        {{static_cast<float>(place.x), static_cast<float>(place.y), static_cast<float>(place.z)},
+         static_cast<float>(length),
+         static_cast<float>(turning),
+         crossings_});
+  }
+  /// The next place lies beyond that portal.
+  void cross(std::uint32_t portal) {
+    if (portal >= most_portals || ++crossings_ > most_crossings) known_ = false;
+    portals_ = portals_ * (most_portals + 1) + portal + 1;
+    entered_ |= std::uint64_t{1} << (portal % most_portals);
+  }
+  /// It did something that can't be told here.
+  void lose_sight() { known_ = false; }
+
+  /// False if it was too long to be told.
+  [[nodiscard]] bool known() const { return known_ && !points_.empty(); }
+  [[nodiscard]] const std::vector<Waypoint>& points() const { return points_; }
+  /// The portals that it entered, in order, as one number: equal for the same portals only.
+  [[nodiscard]] std::uint64_t portals() const { return portals_; }
+  /// Whether it entered that portal.
+  [[nodiscard]] bool entered(std::uint32_t portal) const {
+    return portal < most_portals && (entered_ >> portal & 1) != 0;
+  }
+
+ private:
+  static constexpr std::size_t most_points = 64;
+  static constexpr std::uint32_t most_portals = 31;
+  static constexpr int most_crossings = 12;  // 32^12 fits 64 bits
+
+  std::vector<Waypoint> points_;
+  std::uint64_t portals_ = 0, entered_ = 0;
+  std::int32_t crossings_ = 0;
+  bool known_ = true;
+};
+
+}  // namespace portalens
