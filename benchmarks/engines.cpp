@@ -95,7 +95,8 @@ std::optional<Contestant> fewer_photons(const World& world) {
         interpolated_arrivals(world, *kept, static_cast<int>(std::lround(step)));
     std::copy(found.begin(), found.end(), arrivals.begin());
   };
-  return Contestant{"fewer photons", travel, 1, [&world] { (void)take_picture(world); }};
+  return Contestant{"fewer photons", travel, 1,
+                    [&world] { (void)take_picture(world, 1, Engine::automatic, Photons::fewer); }};
 }
 
 std::vector<Contestant> contestants(const Subject& subject, const Subject& euler) {
@@ -106,7 +107,7 @@ std::vector<Contestant> contestants(const Subject& subject, const Subject& euler
   const World& world = subject.world;
   all.push_back({world.space.lanes ? "lanes" : "render, without lanes",
                  engine_of(subject, Engine::automatic), 1,
-                 [&world] { (void)take_picture(world, 1, Engine::automatic, Photons::all); }});
+                 [&world] { (void)take_picture(world); }});
   if (auto interpolating = fewer_photons(world)) all.push_back(std::move(*interpolating));
   return all;
 }

@@ -19,7 +19,7 @@ namespace portalens::benchmarks {
 /// The whole picture by the program, unencoded.
 [[nodiscard]] inline RenderResult take_picture(const World& world, int threads = 1,
                                                Engine engine = Engine::automatic,
-                                               Photons photons = Photons::fewer) {
+                                               Photons photons = Photons::all) {
   RenderOptions options;
   options.threads = threads;
   options.engine = engine;

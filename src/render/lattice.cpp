@@ -176,7 +176,6 @@ void Lattice::send_guides(const Level& level, const std::vector<std::size_t>& ce
   advance_with_trails(world_.space, photons, arrivals, trails);
   tally.guides += photons.size();
   for (std::size_t i = 0; i < sent.size(); ++i) {
-    tally.steps += arrivals[i].steps;
     sent[i]->arrival = arrivals[i];
     sent[i]->trail = std::move(trails[i]);
   }

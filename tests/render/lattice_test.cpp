@@ -1,0 +1,167 @@
+// What is interpolated between photons is what photons would have found.
+#include "render/lattice.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "io/read_scene.h"
+#include "photon/engine.h"
+#include "render/render.h"
+#include "support/random.h"
+#include "support/scale.h"
+#include "support/scene_folder.h"
+#include "world/compile.h"
+
+namespace portalens {
+namespace {
+
+constexpr int side = 128;
+
+/// A ground, a hole and a pair of portals through which it pulls.
+std::string scene(const std::string& more = "", int samples = 1) {
+  return fmt::format(R"(
+[camera]
+position = [0.0, 2.5, 13.0]
+look_at = [0.0, 1.6, 0.0]
+[film]
+width = {0}
+height = {0}
+[sampler]
+samples = {1}
+[physics]
+min_force = 0.2
+portal_gravity = "closest-point"
+portal_gravity_depth = 1
+[[light]]
+position = [4, 9, 8]
+intensity = [400, 400, 380]
+[[quad]]
+vertices = [[-30, 0, 30], [30, 0, 30], [30, 0, -30], [-30, 0, -30]]
+[[sphere]]
+center = [-1.2, 0.6, 2.2]
+radius = 0.6
+[[mass]]
+center = [0.6, 2.7, 1.0]
+mass = 150
+[[portal]]
+name = "orange"
+pair = "blue"
+vertices = [[-4.6, 0.6, -1.5], [-2.6, 0.6, -1.5], [-2.6, 2.8, -1.5], [-4.6, 2.8, -1.5]]
+[[portal]]
+name = "blue"
+pair = "orange"
+vertices = [[2.6, 0.6, -1.5], [4.6, 0.6, -1.5], [4.6, 2.8, -1.5], [2.6, 2.8, -1.5]]
+{2}
+)",
+                     side, samples, more);
+}
+
+World world_of(const std::string& text) {
+  const SceneFolder folder;
+  return compile(read_scene(folder.write("scene.toml", text)));
+}
+
+struct Found {
+  std::vector<Arrival> own, interpolated;
+  Tally tally;
+};
+
+/// All pixels, each by its own photon, and by the lattice.
+Found found_in(const World& world) {
+  std::vector<Photon> photons;
+  std::vector<FilmPlace> places;
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      photons.push_back(camera_photon(world, {x, y, 0}));
+      places.push_back({x + 0.5, y + 0.5});
+    }
+  Found found;
+  found.own.resize(photons.size());
+  found.interpolated.resize(photons.size());
+  advance(world.space, photons, found.own);
+  const auto guard = BeamGuard::over(world.space);
+  Lattice(world, *guard, {0, 0, side, side})
+      .advance(photons, places, found.interpolated, found.tally);
+  return found;
+}
+
+TEST(Lattice, FindsWhatPhotonsFindToHundredthsOfAPixel) {
+  const World world = world_of(scene());
+  const Found found = found_in(world);
+  EXPECT_GT(found.tally.interpolated, found.own.size() / 4);
+  const double pixel = 40.0 * 3.14159 / 180.0 / side;
+  std::vector<double> misses;
+  for (std::size_t i = 0; i < found.own.size(); ++i) {
+    const Arrival &own = found.own[i], &other = found.interpolated[i];
+    ASSERT_EQ(own.fate, other.fate) << "pixel " << i % side << ' ' << i / side;
+    ASSERT_EQ(own.object, other.object);
+    ASSERT_EQ(own.crossings, other.crossings);
+    if (own.fate == Fate::absorbed) continue;
+    misses.push_back(length(own.direction - other.direction) / pixel);
+    EXPECT_NEAR(own.turning, other.turning, 1e-3);
+    if (own.fate == Fate::escaped) continue;
+    misses.push_back(length(own.position - other.position) / own.length / pixel);
+    EXPECT_NEAR(own.length, other.length, 1e-3 * own.length);
+  }
+  std::sort(misses.begin(), misses.end());
+  EXPECT_LT(misses[misses.size() * 99 / 100], 0.05);
+  EXPECT_LT(misses.back(), 0.5);
+}
+
+TEST(Lattice, LosesNoBallOfAPixel) {
+  for (int i = 0; i < test::scaled(10); ++i) {
+    test::Random random(static_cast<std::uint64_t>(31 + i));
+    std::string balls;
+    for (int k = 0; k < 20; ++k) {
+      const double z = random.uniform(-8, 6), radius = random.uniform(0.2, 0.8) * (13 - z) * 0.0055;
+      balls += fmt::format("[[sphere]]\ncenter = [{}, {}, {}]\nradius = {}\n",
+                           random.uniform(-4, 4), random.uniform(0.3, 4.5), z, radius);
+    }
+    const Found found = found_in(world_of(scene(balls)));
+    int on_balls = 0;
+    for (std::size_t k = 0; k < found.own.size(); ++k) {
+      const Arrival& own = found.own[k];
+      if (own.fate != Fate::hit || own.object < 2) continue;
+      ++on_balls;
+      EXPECT_EQ(found.interpolated[k].object, own.object)
+          << "scene " << i << ", pixel " << k % side << ' ' << k / side;
+    }
+    EXPECT_GT(on_balls, 5);
+    EXPECT_GT(found.tally.interpolated, found.own.size() / 10);
+  }
+}
+
+TEST(Lattice, LeavesNoTraceOfTilesAndCrops) {
+  const World world = world_of(scene("", 3));
+  const auto taken = [&](int tile, std::optional<Window> crop = std::nullopt) {
+    RenderOptions options;
+    options.tile_size = tile;
+    options.crop = crop;
+    return render(world, options);
+  };
+  const RenderResult whole = taken(32);
+  EXPECT_GT(whole.tally.interpolated, whole.tally.samples / 4);
+  for (const int tile : {5, 64, 200})
+    EXPECT_EQ(taken(tile).image.pixels, whole.image.pixels) << "tiles of " << tile;
+  const Window crop{13, 71, 54, 102};
+  const RenderResult part = taken(32, crop);
+  for (int y = crop.y0; y < crop.y1; ++y)
+    for (int x = crop.x0; x < crop.x1; ++x)
+      for (int channel = 0; channel < 3; ++channel)
+        ASSERT_EQ(part.image.at(x - crop.x0, y - crop.y0)[channel], whole.image.at(x, y)[channel]);
+}
+
+TEST(Lattice, IsLeftOutWhereAllPhotonsAreAskedFor) {
+  const World world = world_of(scene());
+  RenderOptions options;
+  options.photons = Photons::all;
+  EXPECT_EQ(render(world, options).tally.interpolated, 0u);
+  options.photons = Photons::fewer;
+  options.engine = Engine::scalar;
+  EXPECT_EQ(render(world, options).tally.interpolated, 0u);
+}
+
+}  // namespace
+}  // namespace portalens
