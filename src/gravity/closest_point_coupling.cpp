@@ -52,6 +52,21 @@ double ClosestPointCoupling::quiet(Vec3d x) const {
   return least;
 }
 
+namespace {
+
+/// Within this distance of `local` its nearest point, of that feature, does not move at all: only a
+/// vertex may stay so.
+double still(const PortalFace& face, Feature feature, Vec3d local) {
+  if (feature.kind != Feature::Kind::vertex) return 0.0;
+  const std::vector<FaceEdge>& edges = face.edges();
+  const FaceEdge& next = edges[feature.index];
+  const FaceEdge& last = edges[(feature.index + edges.size() - 1) % edges.size()];
+  return std::max(
+      0.0, std::min(-next.along(local.x, local.y), last.along(local.x, local.y) - last.length));
+}
+
+}  // namespace
+
 double ClosestPointCoupling::calm(Vec3d x, int depth, std::uint32_t left_out) const {
   double least = std::numeric_limits<double>::infinity();
   if (depth <= 0) return least;
@@ -60,17 +75,19 @@ double ClosestPointCoupling::calm(Vec3d x, int depth, std::uint32_t left_out) co
     if (a == left_out || !(acts_within > 0.0)) continue;
     const Gate& gate = gates_[a];
     const Vec3d local = gate.face.frame().to_local(x);
-    const Vec3d place = gate.face.place(gate.face.nearest(local), local);
+    const Feature feature = gate.face.nearest(local);
+    const Vec3d place = gate.face.place(feature, local);
     const double distance = length(local - place);
     least = std::min(least, std::fabs(distance - acts_within));
     if (!(distance < acts_within)) continue;
     // Where it does not jump, the nearest point moves no faster than x does.
     least = std::min(least, gate.face.calm(local));
     const Vec3d beyond = gate.through.move(gate.face.frame().to_world(place));
+    double behind = calm(beyond, depth - 1, gate.pair);
     for (const Source& source : sources_)
-      least =
-          std::min(least, std::fabs(length(source.center - beyond) - std::sqrt(source.influence2)));
-    least = std::min(least, calm(beyond, depth - 1, gate.pair));
+      behind = std::min(behind,
+                        std::fabs(length(source.center - beyond) - std::sqrt(source.influence2)));
+    least = std::min(least, std::max(behind, still(gate.face, feature, local)));
   }
   return least;
 }

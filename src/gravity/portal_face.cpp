@@ -65,7 +65,7 @@ Feature PortalFace::nearest_from_outside(double x, double y) const {
 
 double PortalFace::calm(Vec3d local) const {
   // Beside the polygon's column it moves steadily. Within, it jumps at the plane and, behind that,
-  // where another edge becomes the nearest.
+  // where another edge becomes the nearest: none of these is nearer than any of the three bounds.
   constexpr double infinity = std::numeric_limits<double>::infinity();
   double first = -infinity, second = -infinity;
   for (const FaceEdge& edge : edges_) {
@@ -73,9 +73,9 @@ double PortalFace::calm(Vec3d local) const {
     second = std::max(second, std::min(first, outside));
     first = std::max(first, outside);
   }
-  if (first > 0.0) return first;
   const double height = std::fabs(local.z);
-  return local.z >= -tolerance_ ? height : std::min(height, 0.5 * (first - second));
+  const double within = local.z >= -tolerance_ ? height : std::min(height, 0.5 * (first - second));
+  return std::max(first, within);
 }
 
 double PortalFace::distance(Vec3d x) const {

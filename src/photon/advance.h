@@ -314,12 +314,15 @@ class Tracer {
   /// place to look is.
   [[nodiscard]] double grazed_coupling(const Curve& curve, double end) const {
     if (std::isinf(surroundings_.quiet)) return end;
-    const double least = std::fmax(margin(), 1e-3 * curve.length());
+    double least = std::fmax(margin(), 1e-3 * curve.length());
     double s = 0.0;
     while (true) {
-      s += std::fmax(field_.calm(curve.position(s)), least);
+      const double calm = field_.calm(curve.position(s));
+      s += std::fmax(calm, least);
       if (s >= end) return end;
       if (differs(curve.position(s))) return s;
+      // A path along a boundary would be looked at a thousand times.
+      if (calm < least) least *= 1.1;
     }
   }
 

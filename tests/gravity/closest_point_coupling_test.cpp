@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <vector>
+
 #include "gravity/plain_closest_point.h"
 #include "gravity/portal_scenes.h"
 #include "support/scale.h"
@@ -85,6 +88,46 @@ TEST(ClosestPointCoupling, IsContinuousAcrossAFaceWhereTheOtherChainsAreOutOfRea
     const Vec3d g_after = plain.direct(after) + coupling.pull(after, after).acceleration;
     EXPECT_LE(relative_difference(a.through.rotate(g_before), g_after), 1e-9);
     EXPECT_GT(length(g_before), 0.0);
+  }
+}
+
+TEST(ClosestPointCoupling, NothingJumpsWithinItsCalm) {
+  Random random(5);
+  int moved = 0;
+  for (int round = 0; round < scaled(300); ++round) {
+    const PortalScene scene = random_scene(random, 1 + round % 2, 2, 3.0, 0.02);
+    const ClosestPointCoupling coupling(scene.input(1 + round % 3));
+    for (int i = 0; i < 20; ++i) {
+      const Vec3d x = random.point(5.0);
+      const double calm = coupling.calm(x);
+      if (!std::isfinite(calm)) continue;
+      const Vec3d y = x + random.direction() * (calm * random.uniform(0.0, 1.0) * (1.0 - 1e-9));
+      const std::vector<PullPart> at_x = coupling.parts(x), at_y = coupling.parts(y);
+      ASSERT_EQ(at_x.size(), at_y.size()) << round << ' ' << i;
+      for (std::size_t p = 0; p < at_x.size(); ++p) {
+        ASSERT_EQ(at_x[p].portals, at_y[p].portals);
+        for (std::size_t k = 0; k < at_x[p].places.size(); ++k)
+          EXPECT_LE(length(at_x[p].places[k] - at_y[p].places[k]), length(x - y) + 1e-9);
+      }
+      moved += at_x.size() > 0;
+    }
+  }
+  EXPECT_GT(moved, scaled(300) * 5);
+}
+
+TEST(ClosestPointCoupling, IsCalmWhileAnImageRestsOnARim) {
+  PortalScene scene;
+  scene.min_force = 0.01;
+  const std::vector<Vec3d> front = {{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}};
+  // Faces along x; its edges go on where those of the first end.
+  const Frame side{{3, 0, 0}, {0, 0, -1}, {0, 1, 0}, {1, 0, 0}};
+  add_pair(scene, front, side);
+  add_mass(scene, {2, 0, 3}, 90.0);
+  const ClosestPointCoupling coupling(scene.input(2));
+  Random random(6);
+  for (int i = 0; i < scaled(1000); ++i) {
+    const Vec3d x{random.uniform(-0.9, 2.9), random.uniform(1.1, 3.0), random.uniform(1.1, 4.0)};
+    EXPECT_GT(coupling.calm(x), 0.01) << x.x << ' ' << x.y << ' ' << x.z;
   }
 }
 
