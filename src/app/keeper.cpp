@@ -84,9 +84,11 @@ class Keeper {
 
   /// Writes the checkpoint and the partial picture, and says so.
   void show(const char* state) {
-    keep(keeping_, provenance_, exposure_);
     const fs::path picture = unfinished(keeping_.picture);
-    keeping_.write_picture(picture, result_of(exposure_));
+    // The disk takes the one while the other is packed.
+    auto written = std::async([&] { keeping_.write_picture(picture, result_of(exposure_)); });
+    keep(keeping_, provenance_, exposure_);
+    written.get();
     last_ = Clock::now();
     if (keeping_.quiet) return;
     std::cerr << fmt::format("{}: {} is done; what stands is in {}, and {} keeps the work\n", state,

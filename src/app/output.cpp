@@ -4,9 +4,9 @@
 
 #include <iostream>
 #include <iterator>
+#include <span>
 #include <utility>
 
-#include "app/false_color.h"
 #include "app/report.h"
 #include "io/files.h"
 
@@ -28,13 +28,16 @@ void check_output(const std::filesystem::path& file, const Assignment& assignmen
 }
 
 void write_picture(const std::filesystem::path& file, const RenderResult& result,
-                   const Provenance& provenance) {
-  std::vector<Channel> channels = color_channels(result.image);
-  channels.insert(channels.end(), result.layers.begin(), result.layers.end());
+                   const Provenance& provenance, Packing packing) {
+  std::vector<ChannelView> channels;
+  const std::span<const float> colors(result.image.pixels);
+  for (const char* name : {"R", "G", "B"})
+    channels.push_back({name, colors.subspan(channels.size()), 3});
+  for (const Channel& layer : result.layers) channels.push_back({layer.name, layer.values});
   Metadata metadata = provenance.metadata;
   Metadata more = result_metadata(result);
   std::move(more.begin(), more.end(), std::back_inserter(metadata));
-  write_image(file, result.window.width(), result.window.height(), channels, metadata);
+  write_views(file, result.window.width(), result.window.height(), channels, metadata, packing);
 }
 
 void write_output(const std::filesystem::path& file, const Exposure& exposure,

@@ -22,7 +22,7 @@ void check_output(const std::filesystem::path& file, const Assignment& assignmen
 /// Writes a picture and its layers.
 /// @throws WorkError
 void write_picture(const std::filesystem::path& file, const RenderResult& result,
-                   const Provenance& provenance);
+                   const Provenance& provenance, Packing packing = Packing::small);
 
 /// Writes a complete exposure as its file's name says.
 /// @throws WorkError

@@ -129,7 +129,7 @@ int render_scene(RenderArguments& arguments) {
   signals.hold_ends();
   const Keeping keeping{picture, arguments.checkpoint, arguments.quiet,
                         [&](const std::filesystem::path& file, const RenderResult& result) {
-                          write_picture(file, result, provenance);
+                          write_picture(file, result, provenance, Packing::quick);
                         }};
   if (const auto code = run_watched(world, *exposure, arguments, provenance, keeping, signals))
     return *code;

@@ -2,8 +2,10 @@
 /// Pictures in and out: EXR, PNG, HDR, JPEG in; EXR and PNG out.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,6 +30,13 @@ struct Channel {
   std::vector<float> values;
 };
 
+/// A plane that lies elsewhere, perhaps among others: pixel i has `values[i * step]`.
+struct ChannelView {
+  std::string name;
+  std::span<const float> values;
+  std::size_t step = 1;
+};
+
 /// A picture with every channel that its file has, under the file's names.
 struct ChannelPicture {
   int width = 0, height = 0;
@@ -41,12 +50,19 @@ struct ChannelPicture {
 
 using Metadata = std::vector<std::pair<std::string, std::string>>;
 
+/// What a file is packed for: few bytes, or little time, where it is needed for a while only.
+enum class Packing { small, quick };
+
 /// Writes the channels (all of width × height) as the suffix says: `.exr` float, linear, with the
 /// metadata; `.png` 8-bit sRGB of R, G, B. Encoded to memory, written to a temporary file beside
 /// the target, flushed, renamed, read back: the old picture stays whole until the new one is.
 /// @throws SceneError if the suffix is another, WorkError with the path and the cause
 void write_image(const std::filesystem::path& file, int width, int height,
                  const std::vector<Channel>& channels, const Metadata& metadata);
+/// The same of channels that lie elsewhere.
+void write_views(const std::filesystem::path& file, int width, int height,
+                 const std::vector<ChannelView>& channels, const Metadata& metadata,
+                 Packing packing);
 
 /// @throws SceneError if the suffix is not known, WorkError if `file` can't be written there: no
 /// such folder, no permission. Called before the first photon.

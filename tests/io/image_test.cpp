@@ -5,11 +5,14 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "io/image_bytes.h"
 #include "io/srgb.h"
+#include "io/srgb_bytes.h"
 #include "support/random.h"
 #include "support/scale.h"
 #include "support/temporary_folder.h"
@@ -129,6 +132,58 @@ TEST(ImageFile, TheSamePictureIsTheSameBytes) {
   EXPECT_EQ(folder.read(folder.path() / "a.exr"), folder.read(folder.path() / "b.exr"));
   EXPECT_EQ(folder.read(folder.path() / "a.png"), folder.read(folder.path() / "b.png"));
   EXPECT_EQ(folder.read(folder.path() / "a.exr").find("2025"), std::string::npos);
+}
+
+TEST(ImageFile, PackedQuicklyItHoldsTheSameNumbers) {
+  const TemporaryFolder folder;
+  const auto channels = channels_of({"R", "G", "B", "depth.Z"});
+  std::vector<float> colors;
+  for (std::size_t i = 0; i < channels[0].values.size(); ++i)
+    for (std::size_t c = 0; c < 3; ++c) colors.push_back(channels[c].values[i]);
+  const std::span<const float> all(colors);
+  const std::vector<ChannelView> views = {{"R", all, 3},
+                                          {"G", all.subspan(1), 3},
+                                          {"B", all.subspan(2), 3},
+                                          {"depth.Z", channels[3].values}};
+  for (const char* kind : {".exr", ".png"}) {
+    const auto small = folder.path() / ("small" + std::string(kind));
+    const auto quick = folder.path() / ("quick" + std::string(kind));
+    write_image(small, width, height, channels, {});
+    write_views(quick, width, height, views, {}, Packing::quick);
+    const auto expected = OIIO::ImageInput::open(small.string());
+    const auto found = OIIO::ImageInput::open(quick.string());
+    ASSERT_TRUE(expected && found) << kind;
+    EXPECT_EQ(found->spec().channelnames, expected->spec().channelnames);
+    const auto values_of = [](OIIO::ImageInput& input) {
+      std::vector<float> values(input.spec().image_pixels() *
+                                static_cast<std::size_t>(input.spec().nchannels));
+      EXPECT_TRUE(
+          input.read_image(0, 0, 0, input.spec().nchannels, OIIO::TypeDesc::FLOAT, values.data()));
+      return values;
+    };
+    EXPECT_EQ(values_of(*found), values_of(*expected)) << kind;
+  }
+}
+
+TEST(ImageFile, EveryLinearValueGetsTheByteThatTheCurveRoundsTo) {
+  const SrgbBytes byte_of;
+  const auto expect_exact = [&](float value) {
+    const double held = std::clamp(double{value}, 0.0, 1.0);
+    EXPECT_EQ(byte_of(value), std::lround(255.0 * srgb_from_linear(held))) << value;
+  };
+  for (int byte = 1; byte < 256; ++byte) {
+    const float least = byte_of.least(static_cast<std::uint8_t>(byte));
+    for (const float value : {std::nextafter(least, 0.0F), least, std::nextafter(least, 2.0F)})
+      expect_exact(value);
+  }
+  Random random(11);
+  for (int i = 0; i < scaled(100000); ++i) {
+    expect_exact(static_cast<float>(random.uniform(-0.1, 1.1)));
+    expect_exact(static_cast<float>(std::exp(random.uniform(-100.0, 0.0))));
+  }
+  for (const float value : {0.0F, -0.0F, 1.0F, std::numeric_limits<float>::max(),
+                            std::numeric_limits<float>::denorm_min()})
+    expect_exact(value);
 }
 
 TEST(ImageFile, TheTransferCurveIsItsOwnInverse) {
