@@ -5,9 +5,9 @@
 
 TARGET is toml, obj, mesh, image, scene, checkpoint: by default all. A target ends after so many
 seconds or executions, whichever comes first; a crash, a leak, more than 1 GiB or an input that takes
-longer than --hang seconds ends it at once, and leaves the input in build/fuzz/findings (for `scene`
-50 times as long: see SLOWNESS). What it discovers is gathered in build/fuzz/corpus; --keep distills
-that into fuzz/corpus, for `make test` to replay. Exits 1 if anything was found, or if a target saw fewer than 500 edges: then it is blind.
+longer than --hang seconds ends it at once, and leaves the input in build/fuzz/findings. What it
+discovers is gathered in build/fuzz/corpus; --keep distills that into fuzz/corpus, for `make test` to
+replay. Exits 1 if anything was found, or if a target saw fewer than 500 edges: then it is blind.
 """
 
 import argparse
@@ -22,9 +22,6 @@ HERE = pathlib.Path(__file__).resolve().parent
 BUILD = HERE.parent / "build" / "fuzz"
 LEAST_EDGES = 500
 LONGEST_INPUT = {"toml": 4096, "obj": 4096, "mesh": 4096, "scene": 4096, "image": 2048}
-# The 64 photons of a scene may rightly take some tenths of a second, twenty times that under the
-# sanitizers, and more on a busy machine: what is a hang is told by the program without them.
-SLOWNESS = {"scene": 50}
 KEPT_BYTES = 2048  # a longer input is not kept in the repository
 MEMORY = pathlib.Path("/dev/shm")
 
@@ -51,9 +48,8 @@ def run(target, arguments, place):
     findings = BUILD / "findings"
     findings.mkdir(parents=True, exist_ok=True)
     options = [
-        f"-max_total_time={arguments.seconds}",
-        f"-timeout={arguments.hang * SLOWNESS.get(target, 1)}",
-        "-rss_limit_mb=1024", "-malloc_limit_mb=1024", "-print_final_stats=1", "-reload=0",
+        f"-max_total_time={arguments.seconds}", f"-timeout={arguments.hang}", "-rss_limit_mb=1024",
+        "-malloc_limit_mb=1024", "-print_final_stats=1", "-reload=0",
         f"-artifact_prefix={findings}/{target}-",
     ]
     if arguments.runs:
