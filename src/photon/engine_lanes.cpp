@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 #include "photon/advance.h"
@@ -167,8 +168,10 @@ class LaneDriver {
   }
 
   [[nodiscard]] State state_of(int lane) const {
+    const Vec3d t{lanes_.tx[lane], lanes_.ty[lane], lanes_.tz[lane]};
+    // Of length 1 but for a float's rounding: one step of Newton's method leaves nothing of that.
     return {plan_.center + Vec3d{lanes_.x[lane], lanes_.y[lane], lanes_.z[lane]},
-            normalize(Vec3d{lanes_.tx[lane], lanes_.ty[lane], lanes_.tz[lane]})};
+            t * (1.5 - 0.5 * dot(t, t))};
   }
 
   /// The lane's photon goes on from there; how far it has come, its arrival tells.
@@ -216,7 +219,7 @@ class LaneDriver {
       const Photon& photon = photons_[index];
       // What can't begin ends at once.
       if (!is_finite(photon.position) || !is_finite(photon.direction) ||
-          horizon_around(space_.masses, space_.mass_tree.every(), photon.position)) {
+          begins_in_horizon(photon.position)) {
         scalar_.resume(Travel::of(photon));
         scalar_.one_step();
         arrivals_[index] = scalar_.way().arrived();
@@ -232,6 +235,15 @@ class LaneDriver {
     rest(lane);
   }
 
+  /// Most photons of a batch begin where the one before did.
+  [[nodiscard]] bool begins_in_horizon(Vec3d x) {
+    if (!outside_horizons_ || !(*outside_horizons_ == x)) {
+      if (horizon_around(space_.masses, space_.mass_tree.every(), x)) return true;
+      outside_horizons_ = x;
+    }
+    return false;
+  }
+
   const Space& space_;
   const LanePlan& plan_;
   LaneStep step_;
@@ -239,7 +251,8 @@ class LaneDriver {
   Tracer<Radau, C> scalar_;
   std::span<const Photon> photons_;
   std::span<Arrival> arrivals_;
-  std::span<Trail> trails_;  ///< empty where nobody asks
+  std::span<Trail> trails_;                ///< empty where nobody asks
+  std::optional<Vec3d> outside_horizons_;  ///< the last place that was found to be
   Lanes lanes_;
   std::array<State, lane_count> states_;  ///< where they were put, in double
   std::array<PathStart, lane_count> starts_;

@@ -35,22 +35,26 @@ struct LaneQuintic {
   }
 };
 
-/// Where it vanishes: `at(u) * before` is positive at `low` and negative at `high`, however flat it
-/// is between. Newton's method, kept within what is left; a lane that has come to rest stays there,
+/// Where it vanishes, in the lanes of `which`: `at(u) * before` is positive at `low` and negative
+/// at `high`, however flat it is between. Newton's method, kept within what is left, until it moves
+/// so little that its next move is lost in rounding; a lane that has come to rest stays there,
 /// whatever the others do.
 template <class R, class Function>
-[[nodiscard]] R crossing(const Function& function, R guess, R before, R low, R high) {
+[[nodiscard]] R crossing(typename R::Mask which, const Function& function, R guess, R before, R low,
+                         R high) {
   R u = guess;
-  for (int i = 0; i < 5; ++i) {
+  for (int i = 0; i < 6; ++i) {
     const R at = function.at(u);
     const auto early = at * before > R(0);
     low = select(early, u, low);
     high = select(early, high, u);
     const R newton = u - at / function.slope(u);
-    const R better = select((newton >= low) & (newton <= high), newton, (low + high) * R(0.5));
-    const auto moves = abs(better - u) > R(2e-6);
-    u = select(moves, better, u);
-    if (!any(moves)) break;
+    const auto within = (newton >= low) & (newton <= high);
+    const R better = select(within, newton, (low + high) * R(0.5));
+    const auto moved_far = which & !(abs(better - u) <= R(1e-3));
+    u = select(which, better, u);
+    which = moved_far;
+    if (!any(which)) break;
   }
   return u;
 }

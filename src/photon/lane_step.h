@@ -144,7 +144,8 @@ class LaneStepper {
       const Mask falls = (outside.at(inside) <= R(0)) & (dot(from, path.place.c1) < R(0));
       if (!any(falls)) continue;
       const R guess = outside.surface_from(inside, R(-1));
-      found.offer(falls, crossing(outside, guess, R(1), R(0), inside), LaneEvent::horizon, R(i));
+      found.offer(falls, crossing(falls, outside, guess, R(1), R(0), inside), LaneEvent::horizon,
+                  R(i));
     }
   }
 
@@ -157,8 +158,9 @@ class LaneStepper {
       Mask crosses = (z0 >= R(-portal.tolerance)) & (z1 < R(0)) & (z1 < z0);
       if (portal.back > 0.0f) crosses = crosses | ((z0 < R(0)) & (z1 >= R(0)));
       if (!any(crosses)) continue;
-      const R u = crossing(path.height(z0, normal), max(z0, R(0)) / select(crosses, z0 - z1, R(1)),
-                           select(z1 < R(0), R(1), R(-1)), R(0), R(1));
+      const R u =
+          crossing(crosses, path.height(z0, normal), max(z0, R(0)) / select(crosses, z0 - z1, R(1)),
+                   select(z1 < R(0), R(1), R(-1)), R(0), R(1));
       const V d = path.place.at(u) - origin;
       const auto within = (abs(dot(d, spread<R>(portal.right))) <= R(portal.half_width)) &
                           (abs(dot(d, spread<R>(portal.up))) <= R(portal.half_height));
@@ -186,8 +188,8 @@ class LaneStepper {
       if (!any((crosses | dips) &
                path.may_touch(path.place.c0 - spread<R>(polygon.middle), R(polygon.radius))))
         continue;
-      const R u =
-          crossing(path.height(z0, normal), z0 / select(crosses, z0 - z1, R(1)), z0, R(0), R(1));
+      const R u = crossing(crosses, path.height(z0, normal), z0 / select(crosses, z0 - z1, R(1)),
+                           z0, R(0), R(1));
       const V at = path.place.at(select(crosses, u, R(0.5)));
       Mask within = crosses | dips;
       const R slack = select(dips, path.h, R(0));
@@ -219,7 +221,8 @@ class LaneStepper {
       const R before = select(enters, R(1), R(-1));
       const R inside = select(exits, R(0), select(f1 <= R(0), R(1), nearest));
       const R last = select(exits, R(1), inside);
-      const R u = crossing(outside, outside.surface_from(inside, -before), before, R(0), last);
+      const R u = crossing(enters | exits, outside, outside.surface_from(inside, -before), before,
+                           R(0), last);
       found.offer(enters | exits, u, LaneEvent::hit, R(sphere.shape));
     }
   }
