@@ -12,6 +12,9 @@
 namespace portalens {
 namespace {
 
+/// Lanes find the borders of what comes through portals less exactly than the scalar engine: there
+/// no step may be as long, as a share of the longest elsewhere.
+constexpr double longest_with_portals = 0.87;
 /// Floats can't keep a finer one.
 constexpr double finest_tolerance = 1e-5;
 
@@ -147,7 +150,9 @@ std::unique_ptr<const LanePlan> plan_lanes(const Space& space) {
 
   const Radau step = Radau::from({physics.step, physics.tolerance});
   scene.stiffness_weight = static_cast<float>(step.stiffness_weight);
-  scene.nearness_weight = static_cast<float>(step.nearness_weight);
+  const bool through_portals = scene.gate_count + scene.map_count + scene.way_count > 0;
+  scene.nearness_weight = static_cast<float>(
+      step.nearness_weight / (through_portals ? std::pow(longest_with_portals, 4) : 1.0));
   scene.overshoot = static_cast<float>(1e-6 * space.extent);
   scene.ahead = scene.overshoot;
   scene.farthest = static_cast<float>(2.0 * space.extent);
