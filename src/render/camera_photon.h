@@ -28,35 +28,44 @@ struct FilmPlace {
   double x = 0.0, y = 0.0;
 };
 
-/// Where `render` sends that sample through: the pixel's centre if there is but one.
-[[nodiscard]] inline FilmPlace film_place(const World& world, const PixelSampler& sampler,
-                                          const PixelSample& at) {
-  const auto [u, v] =
-      world.sampling.samples == 1 ? std::array<double, 2>{0.5, 0.5} : sampler.position(at.sample);
-  return {at.x + u, at.y + v};
-}
+/// What the photons of a film's samples share, worked out once. Borrows the world.
+class PhotonSource {
+ public:
+  explicit PhotonSource(const World& world)
+      : view_(world.camera, world.film.width, world.film.height),
+        key_(static_cast<std::uint64_t>(world.sampling.seed)),
+        central_(world.sampling.samples == 1) {}
 
-[[nodiscard]] inline PixelSampler sampler_of(const World& world, const PixelSample& at) {
-  return {static_cast<std::uint32_t>(at.x), static_cast<std::uint32_t>(at.y),
-          static_cast<std::uint64_t>(world.sampling.seed)};
-}
+  /// Where `render` sends that sample through: the pixel's centre if there is but one.
+  [[nodiscard]] FilmPlace place(const PixelSample& at) const {
+    if (central_) return {at.x + 0.5, at.y + 0.5};
+    const auto [u, v] = sampler(at).position(at.sample);
+    return {at.x + u, at.y + v};
+  }
+  [[nodiscard]] Ray ray(const FilmPlace& place) const { return view_.ray(place.x, place.y); }
+  [[nodiscard]] std::uint64_t random_key(const PixelSample& at) const {
+    return sampler(at).random_key(at.sample);
+  }
 
-/// The photon of that sample, as `render` sends it through that place. `sample` and `slot` are left
-/// 0.
-/// @param view  the world's camera behind its film
-[[nodiscard]] inline Photon camera_photon(const PixelSampler& sampler, const FilmCamera& view,
-                                          const FilmPlace& place, std::uint32_t sample) {
-  const Ray ray = view.ray(place.x, place.y);
+ private:
+  [[nodiscard]] PixelSampler sampler(const PixelSample& at) const {
+    return {key_, static_cast<std::uint32_t>(at.x), static_cast<std::uint32_t>(at.y)};
+  }
+
+  FilmCamera view_;
+  FilmKey key_;
+  bool central_;  ///< a pixel's only sample lies in its centre
+};
+
+/// The photon of that sample, as `render` sends it. `sample` and `slot` are left 0.
+[[nodiscard]] inline Photon camera_photon(const World& world, const PixelSample& at) {
+  const PhotonSource source(world);
+  const Ray ray = source.ray(source.place(at));
   Photon photon;
   photon.position = ray.origin;
   photon.direction = ray.direction;
-  photon.random_key = sampler.random_key(sample);
+  photon.random_key = source.random_key(at);
   return photon;
-}
-[[nodiscard]] inline Photon camera_photon(const World& world, const PixelSample& at) {
-  const PixelSampler sampler = sampler_of(world, at);
-  return camera_photon(sampler, FilmCamera(world.camera, world.film.width, world.film.height),
-                       film_place(world, sampler, at), at.sample);
 }
 
 /// The photon through a pixel's centre, with the random numbers of its first sample.

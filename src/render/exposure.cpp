@@ -10,7 +10,7 @@ namespace {
 /// What is too bright for a float is as bright as one can be.
 float as_float(double value) {
   constexpr double most = std::numeric_limits<float>::max();
-  return static_cast<float>(std::clamp(value, -most, most));
+  return static_cast<float>(std::max(std::min(value, most), -most));
 }
 
 }  // namespace
@@ -25,10 +25,13 @@ Plate::Plate(const Assignment& assignment)
       layers_(channels_ * window_.pixels()) {}
 
 void Plate::set(int x, int y, const SampleSum& sum) {
-  const Rgb mean = sum.total() / samples_;
-  float* const pixel = image_.at(x - window_.x0, y - window_.y0);
-  pixel[0] = as_float(mean.x), pixel[1] = as_float(mean.y), pixel[2] = as_float(mean.z);
+  set(x, y, sum.total() / samples_);
   if (nodes_ > 0) set_sums(x, y, sum.nodes());
+}
+
+void Plate::set(int x, int y, Rgb sample) {
+  float* const pixel = image_.at(x - window_.x0, y - window_.y0);
+  pixel[0] = as_float(sample.x), pixel[1] = as_float(sample.y), pixel[2] = as_float(sample.z);
 }
 
 void Plate::restore(int x, int y, std::span<const float> mean, std::span<const Rgb> sums) {
@@ -41,8 +44,8 @@ void Plate::set_sums(int x, int y, std::span<const Rgb> sums) {
             sums_.begin() + static_cast<std::ptrdiff_t>(nodes_ * index(x, y)));
 }
 
-std::span<const float> Plate::mean(int x, int y) const {
-  return {image_.at(x - window_.x0, y - window_.y0), 3};
+std::span<const float> Plate::means(int x, int y, std::size_t pixels) const {
+  return {image_.at(x - window_.x0, y - window_.y0), 3 * pixels};
 }
 
 std::span<const Rgb> Plate::sums(int x, int y) const {

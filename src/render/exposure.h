@@ -29,13 +29,17 @@ class Plate {
   /// The pixel's samples, all those of the range.
   /// @pre (x, y) lies in the window
   void set(int x, int y, const SampleSum& sum);
+  /// The only sample of a pixel.
+  void set(int x, int y, Rgb sample);
   /// The same from the sums as `sums` gave them, and the mean as the picture has it.
   void restore(int x, int y, std::span<const float> mean, std::span<const Rgb> sums);
   [[nodiscard]] std::span<float> layers(int x, int y);
 
   /// Linear radiance; the mean of the pixel's samples.
   [[nodiscard]] const Image& image() const { return image_; }
-  [[nodiscard]] std::span<const float> mean(int x, int y) const;
+  [[nodiscard]] std::span<const float> mean(int x, int y) const { return means(x, y, 1); }
+  /// Those of so many pixels of a row, one after the other.
+  [[nodiscard]] std::span<const float> means(int x, int y, std::size_t pixels) const;
   /// What `SampleSum::nodes` gave; empty where whole pixels are taken, which nobody adds to.
   [[nodiscard]] std::span<const Rgb> sums(int x, int y) const;
   [[nodiscard]] std::span<const float> layers(int x, int y) const;

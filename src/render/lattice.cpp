@@ -239,7 +239,12 @@ void Lattice::advance(std::span<const Photon> photons, std::span<const FilmPlace
   tally.interpolated += photons.size() - left.size();
   std::vector<Photon> own;
   own.reserve(left.size());
-  for (const std::uint32_t i : left) own.push_back(photons[i]);
+  for (const std::uint32_t i : left) {
+    const Ray ray = view_.ray(places[i].x, places[i].y);
+    Photon& photon = own.emplace_back(photons[i]);
+    photon.position = ray.origin;
+    photon.direction = ray.direction;
+  }
   std::vector<Arrival> found(own.size());
   portalens::advance(world_.space, own, found);
   for (std::size_t i = 0; i < left.size(); ++i) arrivals[left[i]] = found[i];

@@ -55,6 +55,7 @@ class Lattice {
   Lattice(const World& world, const BeamGuard& guard, const Window& tile);
 
   /// Where camera photons arrive.
+  /// @param photons  of which only where they begin follows from their places
   /// @param places  of the photons on the film, within the tile
   void advance(std::span<const Photon> photons, std::span<const FilmPlace> places,
                std::span<Arrival> arrivals, Tally& tally);

@@ -117,16 +117,26 @@ class TileTaker {
                 &room_->lost);
     for (const std::uint32_t i : room_->lost) room_->lost_places.push_back(place(done_ + i));
     keep_first(room_->lost_places);
+    expose_samples();
+    note(count, tally);
+  }
+
+  /// Puts what has reached the samples from `done_` on where it belongs.
+  void expose_samples() {
+    Plate& plate = shared_.exposure.plate();
     PixelSample at = place(done_);
     for (const Rgb& light : room_->light) {
-      sum_.add(light);
-      if (at.sample + 1 == assignment_.range.end) {
-        shared_.exposure.plate().set(at.x, at.y, sum_);
-        sum_.restart(assignment_.range.begin);
+      if (assignment_.samples == 1) {
+        plate.set(at.x, at.y, light);
+      } else {
+        sum_.add(light);
+        if (at.sample + 1 == assignment_.range.end) {
+          plate.set(at.x, at.y, sum_);
+          sum_.restart(assignment_.range.begin);
+        }
       }
       go_on(at);
     }
-    note(count, tally);
   }
 
   void take_layer_pixels(std::uint64_t count) {
@@ -175,13 +185,24 @@ class TileTaker {
     std::vector<FilmPlace>& places = room_->places;
     photons.resize(count);
     places.resize(count);
-    const FilmCamera view(world_.camera, world_.film.width, world_.film.height);
+    const PhotonSource source(world_);
+    const bool random = uses_random_numbers(world_.appearance);
     PixelSample at = place(done_);
     for (std::uint64_t i = 0; i < count; ++i, go_on(at)) {
-      const PixelSampler sampler = sampler_of(world_, at);
-      places[i] = film_place(world_, sampler, at);
-      photons[i] = camera_photon(sampler, view, places[i], at.sample);
-      photons[i].sample = photons[i].slot = static_cast<std::uint32_t>(i);
+      Photon& photon = photons[i];
+      places[i] = source.place(at);
+      photon.throughput = {1, 1, 1};
+      photon.sample = photon.slot = static_cast<std::uint32_t>(i);
+      photon.bounces = 0;
+      photon.random_key = random ? source.random_key(at) : 0;
+      photon.departure = {};
+    }
+    if (lattice_) return;  // it sends few
+    // By themselves: while one ray waits for its root, the next are begun.
+    for (std::uint64_t i = 0; i < count; ++i) {
+      const Ray ray = source.ray(places[i]);
+      photons[i].position = ray.origin;
+      photons[i].direction = ray.direction;
     }
   }
 
@@ -211,10 +232,13 @@ void copy_tile(const Exposure& exposure, std::size_t tile, std::uint64_t done,
   const TileWork work = exposure.work_on(tile);
   const Window& window = result.window;
   const Plate& plate = exposure.plate();
-  for_first_pixels(work, work.lit(done), [&](int x, int y) {
-    const auto mean = plate.mean(x, y);
-    std::copy(mean.begin(), mean.end(), result.image.at(x - window.x0, y - window.y0));
-  });
+  const std::uint64_t lit = work.lit(done);
+  const auto width = static_cast<std::uint64_t>(work.tile.width());
+  for (std::uint64_t first = 0; first < lit; first += width) {
+    const auto [x, y] = work.pixel(first);
+    const auto row = plate.means(x, y, std::min(width, lit - first));
+    std::copy(row.begin(), row.end(), result.image.at(x - window.x0, y - window.y0));
+  }
   for_first_pixels(work, work.layered(done), [&](int x, int y) {
     const std::size_t at =
         static_cast<std::size_t>(y - window.y0) * static_cast<std::size_t>(window.width()) +

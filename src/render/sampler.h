@@ -38,13 +38,22 @@ namespace portalens {
   return bits;
 }
 
+/// What the keys of all pixels begin with.
+struct FilmKey {
+  std::uint64_t key;
+  constexpr explicit FilmKey(std::uint64_t seed) : key(combined(0, seed)) {}
+};
+
 /// The camera samples of one pixel. Any 2^k of them that begin at a multiple of 2^k are a
 /// (0,2)-net: each box of area 2^-k, of whatever shape, holds one. Pixels are independent of each
 /// other.
 class PixelSampler {
  public:
   constexpr PixelSampler(std::uint32_t x, std::uint32_t y, std::uint64_t seed)
-      : key_(combined(combined(combined(0, seed), x), y)) {}
+      : PixelSampler(FilmKey(seed), x, y) {}
+  /// For many pixels: with their film's key at hand.
+  constexpr PixelSampler(FilmKey film, std::uint32_t x, std::uint32_t y)
+      : key_(combined(combined(film.key, x), y)) {}
 
   /// In [0, 1)².
   [[nodiscard]] constexpr std::array<double, 2> position(std::uint32_t sample) const {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -33,12 +34,19 @@ class Stopwatch {
   Clock::time_point last_ = Clock::now();
 };
 
+inline constexpr double most_presentable = std::numeric_limits<float>::max();
+
 /// What a picture can hold of a sample's light: a channel beyond the largest float becomes that,
 /// and light that is not a number, which would spoil its pixel unseen, is shown as lost.
 [[nodiscard]] inline Rgb presentable(Rgb light, Rgb lost_color) {
-  constexpr double most = std::numeric_limits<float>::max();
+  constexpr double most = most_presentable;
   const Rgb sound = is_finite(light) ? light : lost_color;
   return {std::min(sound.x, most), std::min(sound.y, most), std::min(sound.z, most)};
+}
+/// Whether it stays as it is.
+[[nodiscard]] inline bool is_presentable(Rgb light) {
+  const auto small = [](double x) { return std::fabs(x) <= most_presentable; };
+  return small(light.x) && small(light.y) && small(light.z);
 }
 
 /// The room that carrying light takes. Whoever carries often keeps it: fresh memory costs more than
@@ -46,14 +54,13 @@ class Stopwatch {
 struct WaveRoom {
   std::vector<Photon> wave, offspring;
   std::vector<Arrival> arrivals;
-  std::vector<std::uint32_t> samples;
   ShadeOutput found;
 };
 
 /// Adds to `light[photon.sample]` what each photon of `room.wave` and its offspring find. A
 /// sample's light is added in order of wave, and within one first what its photon saw, then its
 /// shadow queries in their order; so its sum does not depend on which other photons travel along.
-/// In the end each is made presentable; those that were not are counted.
+/// In the end each light is made presentable; those that were not are counted.
 /// @param room    its wave is used up; what else is in it does not matter
 /// @param travel  advances photons to their arrivals: called as `travel(photons, arrivals)`
 /// @param lost    if given, gets the sample of each photon that is lost, and of light not a number
@@ -68,28 +75,26 @@ void carry_light(const Space& space, const Appearance& appearance, WaveRoom& roo
   const std::size_t slice = std::max<std::size_t>(1, std::min(most_photons, most_queries / each));
 
   const ShadowScreen screen(space);
-  auto& [wave, offspring, arrivals, samples, found] = room;
+  auto& [wave, offspring, arrivals, found] = room;
   tally.samples += wave.size();
-  samples.clear();
-  for (const Photon& photon : wave) samples.push_back(photon.sample);
   while (!wave.empty()) {
     arrivals.resize(wave.size());
     Stopwatch watch;
     travel(std::span<const Photon>(wave), std::span<Arrival>(arrivals));
     tally.advancing += watch.lap();
-    for (std::size_t i = 0; i < wave.size(); ++i) {
-      tally.count(arrivals[i]);
-      if (lost && arrivals[i].fate == Fate::lost) lost->push_back(wave[i].sample);
-    }
     offspring.clear();
-    watch.lap();
     for (std::size_t begin = 0; begin < wave.size(); begin += slice) {
       const std::size_t count = std::min(slice, wave.size() - begin);
+      const auto photons = std::span<const Photon>(wave).subspan(begin, count);
+      const auto arrived = std::span<const Arrival>(arrivals).subspan(begin, count);
+      for (std::size_t i = 0; i < count; ++i) {
+        tally.count(arrived[i]);
+        if (lost && arrived[i].fate == Fate::lost) lost->push_back(photons[i].sample);
+      }
       found.light.clear();
       found.offspring.clear();
       found.shadows.clear();
-      shade(space, appearance, std::span<const Photon>(wave).subspan(begin, count),
-            std::span<const Arrival>(arrivals).subspan(begin, count), found);
+      shade(space, appearance, photons, arrived, found);
       tally.shading += watch.lap();
       for (const Gleam& gleam : found.light) light[gleam.sample] += gleam.radiance;
       for (const ShadowQuery& query : found.shadows)
@@ -99,14 +104,16 @@ void carry_light(const Space& space, const Appearance& appearance, WaveRoom& roo
       offspring.insert(offspring.end(), found.offspring.begin(), found.offspring.end());
       tally.shadowing += watch.lap();
     }
+    if (offspring.empty()) break;
     std::swap(wave, offspring);
   }
-  for (const std::uint32_t sample : samples) {
-    if (!is_finite(light[sample])) {
+  for (std::size_t i = 0; i < light.size(); ++i) {
+    if (is_presentable(light[i])) continue;
+    if (!is_finite(light[i])) {
       ++tally.not_finite;
-      if (lost) lost->push_back(sample);
+      if (lost) lost->push_back(static_cast<std::uint32_t>(i));
     }
-    light[sample] = presentable(light[sample], appearance.limits.lost_color);
+    light[i] = presentable(light[i], appearance.limits.lost_color);
   }
 }
 

@@ -1,5 +1,6 @@
 #include "shading/shade.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <numbers>
@@ -28,28 +29,27 @@ struct Strata {
   }
 };
 
-/// Shades one arrival.
+/// Shades arrivals, one at a time.
 class Shader {
  public:
-  Shader(const Space& space, const Appearance& appearance, double extent, const Photon& photon,
-         const Arrival& arrival, ShadeOutput& output)
+  Shader(const Space& space, const Appearance& appearance, ShadeOutput& output)
       : space_(space),
         appearance_(appearance),
-        extent_(extent),
-        photon_(photon),
-        arrival_(arrival),
-        output_(output),
-        share_(photon.throughput * arrival.tint) {}
+        extent_(space.surfaces.bounds().diagonal()),
+        output_(output) {}
 
-  void run() {
-    switch (arrival_.fate) {
+  void take(const Photon& photon, const Arrival& arrival) {
+    photon_ = &photon;
+    arrival_ = &arrival;
+    share_ = photon.throughput * arrival.tint;
+    switch (arrival.fate) {
       case Fate::hit:
         return shade_surface();
       case Fate::escaped:
-        return add_light(share_ * appearance_.environment.radiance(arrival_.direction));
+        return add_light(share_ * appearance_.environment.radiance(arrival_->direction));
       case Fate::lost:
         // Tints are left out, so that light lost between two dark portals still shows.
-        return add_light(photon_.throughput * appearance_.limits.lost_color);
+        return add_light(photon_->throughput * appearance_.limits.lost_color);
       case Fate::absorbed:
       case Fate::trapped:
         return;
@@ -58,34 +58,38 @@ class Shader {
 
  private:
   void add_light(Rgb radiance) {
-    if (radiance != Rgb{}) output_.light.push_back({radiance, photon_.sample, photon_.slot});
+    if (radiance == Rgb{}) return;
+    Gleam& gleam = output_.light.emplace_back();
+    gleam.radiance = radiance;
+    gleam.sample = photon_->sample;
+    gleam.slot = photon_->slot;
   }
 
   void shade_surface() {
-    const ShadingPoint point = shading_point(space_, appearance_, extent_, arrival_);
+    const ShadingPoint point = shading_point(space_, appearance_, extent_, *arrival_);
     const Material& material = appearance_.materials[point.material];
     const Rgb diffuse = color_at(material.diffuse, point.surface);
     add_light(share_ * (material.emitted + diffuse * appearance_.limits.ambient));
     const Rgb reflected = share_ * diffuse;
     if (reflected != Rgb{}) ask_lights(point, reflected / std::numbers::pi);
-    if (photon_.bounces < appearance_.limits.max_bounces) send_mirrored(point, material);
+    if (photon_->bounces < appearance_.limits.max_bounces) send_mirrored(point, material);
   }
 
   void send_mirrored(const ShadingPoint& point, const Material& material) {
     const Rgb share = share_ * material.reflective;
     if (share == Rgb{}) return;
-    const std::uint64_t key = combined(photon_.random_key, mirror_purpose);
-    const auto reflection = reflect(arrival_.direction, point.normal, material.roughness,
+    const std::uint64_t key = combined(photon_->random_key, mirror_purpose);
+    const auto reflection = reflect(arrival_->direction, point.normal, material.roughness,
                                     random_number(key, 0), random_number(key, 1));
     if (!reflection || !(dot(reflection->direction, point.outward) > 0.0)) return;
     Photon offspring;
     offspring.position = point.position;
     offspring.direction = reflection->direction;
     offspring.throughput = share * reflection->weight;
-    offspring.sample = photon_.sample;
-    offspring.slot = photon_.slot;
-    offspring.bounces = photon_.bounces + 1;
-    offspring.random_key = combined(photon_.random_key, offspring_purpose);
+    offspring.sample = photon_->sample;
+    offspring.slot = photon_->slot;
+    offspring.bounces = photon_->bounces + 1;
+    offspring.random_key = combined(photon_->random_key, offspring_purpose);
     offspring.departure = point.leaving(reflection->direction);
     output_.offspring.push_back(offspring);
   }
@@ -98,7 +102,7 @@ class Shader {
         continue;
       }
       const std::uint32_t count = sample_count(light, appearance_.limits.shadow_samples);
-      const std::uint64_t key = combined(photon_.random_key, light_purpose + i);
+      const std::uint64_t key = combined(photon_->random_key, light_purpose + i);
       const Strata strata(count);
       for (std::uint32_t j = 0; j < count; ++j) {
         const double u1 = (j % strata.columns + random_number(key, 2 * j)) / strata.columns;
@@ -133,17 +137,22 @@ class Shader {
     if (!(dot(sample.position - point.position, point.outward) > 0.0)) return;
     const Rgb light = share * irradiance(sample, point.position, point.normal);
     if (light == Rgb{}) return;
-    const Vec3d way = sample.position - point.position;
-    output_.shadows.push_back({point.position, sample.position, portal, point.leaving(way), light,
-                               photon_.sample, photon_.slot});
+    ShadowQuery& query = output_.shadows.emplace_back();
+    query.from = point.position;
+    query.to = sample.position;
+    query.portal = portal;
+    query.departure = point.leaving(sample.position - point.position);
+    query.contribution = light;
+    query.sample = photon_->sample;
+    query.slot = photon_->slot;
   }
 
   const Space& space_;
   const Appearance& appearance_;
   double extent_;  ///< of the surfaces
-  const Photon& photon_;
-  const Arrival& arrival_;
   ShadeOutput& output_;
+  const Photon* photon_ = nullptr;
+  const Arrival* arrival_ = nullptr;
   Rgb share_;  ///< of what is here that reaches the film
 };
 
@@ -152,9 +161,17 @@ class Shader {
 void shade(const Space& space, const Appearance& appearance, std::span<const Photon> photons,
            std::span<const Arrival> arrivals, ShadeOutput& output) {
   assert(photons.size() == arrivals.size());
-  const double extent = space.surfaces.bounds().diagonal();
-  for (std::size_t i = 0; i < photons.size(); ++i)
-    Shader(space, appearance, extent, photons[i], arrivals[i], output).run();
+  Shader shader(space, appearance, output);
+  for (std::size_t i = 0; i < photons.size(); ++i) shader.take(photons[i], arrivals[i]);
+}
+
+bool uses_random_numbers(const Appearance& appearance) {
+  const auto is_large = [](const Light& light) {
+    return !std::holds_alternative<PointLight>(light);
+  };
+  const auto mirrors = [](const Material& material) { return material.reflective != Rgb{}; };
+  return std::any_of(appearance.lights.begin(), appearance.lights.end(), is_large) ||
+         std::any_of(appearance.materials.begin(), appearance.materials.end(), mirrors);
 }
 
 std::size_t most_shadow_queries(const Space& space, const Appearance& appearance) {

@@ -33,6 +33,10 @@ struct ShadeOutput {
 void shade(const Space& space, const Appearance& appearance, std::span<const Photon> photons,
            std::span<const Arrival> arrivals, ShadeOutput& output);
 
+/// Whether what photons give depends on their random keys: some light has an area, or some surface
+/// mirrors.
+[[nodiscard]] bool uses_random_numbers(const Appearance& appearance);
+
 /// The most shadow queries that one arrival can lead to, by which a caller can bound its batches.
 [[nodiscard]] std::size_t most_shadow_queries(const Space& space, const Appearance& appearance);
 

@@ -46,6 +46,26 @@ ShadingPoint point_on_back(const Portal& portal, const Arrival& arrival) {
   return point;
 }
 
+ShadingPoint point_on_surface(const Space& space, const Appearance& appearance, double extent,
+                              const Arrival& arrival) {
+  const std::uint32_t object = arrival.object, face = arrival.face;
+  ShadingPoint point{space.surfaces.surface_at(object, face, arrival.position),
+                     arrival.position,
+                     {},
+                     {},
+                     appearance.bodies[object].material_of(face),
+                     object,
+                     face,
+                     departure_share * (length(arrival.position) + extent)};
+  const SurfacePoint& surface = point.surface;
+  const bool behind = dot(arrival.direction, surface.geometric_normal) > 0.0;
+  point.outward = behind ? -surface.geometric_normal : surface.geometric_normal;
+  point.normal = behind ? -surface.normal : surface.normal;
+  // At the edge of its silhouette a mesh may be seen where its smooth normal looks away.
+  if (dot(arrival.direction, point.normal) >= 0.0) point.normal = point.outward;
+  return point;
+}
+
 }  // namespace
 
 Departure ShadingPoint::leaving(Vec3d direction) const {
@@ -60,22 +80,9 @@ ShadingPoint shading_point(const Space& space, const Appearance& appearance,
 
 ShadingPoint shading_point(const Space& space, const Appearance& appearance, double extent,
                            const Arrival& arrival) {
-  if (arrival.met == Met::portal_back)
-    return point_on_back(space.portals.portals()[arrival.object], arrival);
-  ShadingPoint point;
-  point.surface = space.surfaces.surface_at(arrival.object, arrival.face, arrival.position);
-  point.position = arrival.position;
-  const SurfacePoint& surface = point.surface;
-  const bool behind = dot(arrival.direction, surface.geometric_normal) > 0.0;
-  point.outward = behind ? -surface.geometric_normal : surface.geometric_normal;
-  point.normal = behind ? -surface.normal : surface.normal;
-  // At the edge of its silhouette a mesh may be seen where its smooth normal looks away.
-  if (dot(arrival.direction, point.normal) >= 0.0) point.normal = point.outward;
-  point.material = appearance.bodies[arrival.object].material_of(arrival.face);
-  point.shape = arrival.object;
-  point.face = arrival.face;
-  point.reach = departure_share * (length(arrival.position) + extent);
-  return point;
+  return arrival.met == Met::portal_back
+             ? point_on_back(space.portals.portals()[arrival.object], arrival)
+             : point_on_surface(space, appearance, extent, arrival);
 }
 
 }  // namespace portalens

@@ -27,20 +27,13 @@ Vec3d absolute(Vec3d x) { return {std::fabs(x.x), std::fabs(x.y), std::fabs(x.z)
 /// A straight way, prepared.
 struct ShadowScreen::Way {
   const Departure& departure;
-  Vec3d from, to, way;
-  Vec3d middle, half, half_size;  ///< half: of the way; half_size: its absolute components
-  double square;                  ///< of the way's length
+  Vec3d from, to;
   double slack;
 
   explicit Way(const ShadowQuery& query)
       : departure(query.departure),
         from(query.from),
         to(query.to - (query.to - query.from) * before_light),
-        way(to - from),
-        middle((from + to) * 0.5),
-        half(way * 0.5),
-        half_size(absolute(half)),
-        square(dot(way, way)),
         slack(rounding_share * (size(from) + size(to))) {}
 };
 
@@ -105,16 +98,16 @@ bool ShadowScreen::misses(const Way& way, const Plane& plane) {
 /// The way's point nearest to the centre lies outside; or it begins on the ball and leaves it, less
 /// than grazing.
 bool ShadowScreen::misses(const Way& way, const Ball& ball) {
-  const Vec3d to_center = ball.center - way.from;
-  const double onwards = dot(to_center, way.way);
-  const double along = std::clamp(onwards / way.square, 0.0, 1.0);
-  const Vec3d nearest = to_center - way.way * along;
+  const Vec3d to_center = ball.center - way.from, whole = way.to - way.from;
+  const double onwards = dot(to_center, whole), whole_square = dot(whole, whole);
+  const double along = std::clamp(onwards / whole_square, 0.0, 1.0);
+  const Vec3d nearest = to_center - whole * along;
   const double reach = ball.radius + ball.slack + way.slack;
   if (dot(nearest, nearest) > reach * reach) return true;
   if (ball.shape != way.departure.shape || !(way.departure.side > 0.0)) return false;
   constexpr double steep = 1e-3, on = 1e-9;
   const double square = ball.radius * ball.radius, away = dot(to_center, to_center);
-  return onwards < 0.0 && onwards * onwards > steep * steep * away * way.square &&
+  return onwards < 0.0 && onwards * onwards > steep * steep * away * whole_square &&
          std::fabs(away - square) <= on * square && way.departure.reach >= 1e-6 * ball.radius;
 }
 
@@ -123,7 +116,8 @@ bool ShadowScreen::misses(const Way& way, const Ball& ball) {
 bool ShadowScreen::misses(const Way& way, const Block& block) {
   const double slack = block.slack + way.slack;
   const Vec3d b = block.half + Vec3d{slack, slack, slack};
-  const Vec3d m = way.middle - block.middle, &h = way.half, &s = way.half_size;
+  const Vec3d m = (way.from + way.to) * 0.5 - block.middle;
+  const Vec3d h = (way.to - way.from) * 0.5, s = absolute(h);
   if (std::fabs(m.x) > b.x + s.x || std::fabs(m.y) > b.y + s.y || std::fabs(m.z) > b.z + s.z)
     return true;
   return std::fabs(m.y * h.z - m.z * h.y) > b.y * s.z + b.z * s.y ||

@@ -196,6 +196,29 @@ TEST(Shade, APhotonsLightDoesNotDependOnItsCompany) {
   EXPECT_LE(together.shadows.size(), 5 * most_shadow_queries(space, look));
 }
 
+TEST(Shade, RandomNumbersAreUsedOnlyWhereItIsSaid) {
+  const Space space = plain_space({floor_quad(5)});
+  Material plain = diffuse_material({0.5, 0.5, 0.5}), rough = plain;
+  rough.reflective = {0.3, 0.3, 0.3};
+  rough.roughness = 0.5;
+  const Light point = point_light({1, 2, 3}, {4, 4, 4});
+  const Light panel = ShapeLight("panel", floor_quad(1, 3), {1, 1, 1});
+  const auto differs = [&](const Appearance& look) {
+    const Arrival arrival = hit_at({0, 0, 0}, {0.3, -1, 0.2});
+    const ShadeOutput a = shade_one(space, look, arrival, 1),
+                      b = shade_one(space, look, arrival, 2);
+    const auto direction = [](const ShadeOutput& output) {
+      return output.offspring.empty() ? Vec3d{} : output.offspring[0].direction;
+    };
+    return a.shadows.at(0).to != b.shadows.at(0).to || direction(a) != direction(b);
+  };
+  for (const Material& material : {plain, rough})
+    for (const Light& light : {point, panel}) {
+      const Appearance look = appearance_with({material}, {light});
+      EXPECT_EQ(uses_random_numbers(look), differs(look));
+    }
+}
+
 TEST(Shade, ARoughFurnaceGivesBackLessThanItGets) {
   const Space space = plain_space({floor_quad(5)});
   Material material = diffuse_material({0, 0, 0});
