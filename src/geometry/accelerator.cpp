@@ -194,21 +194,9 @@ double Accelerator::clearance(Vec3d x, double limit) const {
   const Implementation& all = *implementation_;
   if (!is_finite(x)) return 0.0;
   double least = limit;
+  for (const MeshTree& mesh : all.meshes) least = std::min(least, mesh.grid.clearance(x));
   for (const std::uint32_t shape : all.plain)
     if (all.boxes[shape].distance(x) < least) least = std::min(least, all.clearance(shape, {x, x}));
-  for (const MeshTree& mesh : all.meshes) least = std::min(least, mesh.grid.clearance(x));
-  return least;
-}
-
-double Accelerator::clearance(Vec3d x, std::span<const std::uint32_t> among) const {
-  const Implementation& all = *implementation_;
-  if (!is_finite(x)) return 0.0;
-  double least = infinity;
-  for (const std::uint32_t shape : among) {
-    if (!(all.boxes[shape].distance(x) < least)) continue;
-    const MeshTree* mesh = all.mesh_of(shape);
-    least = std::min(least, mesh ? mesh->grid.clearance(x) : all.clearance(shape, {x, x}));
-  }
   return least;
 }
 

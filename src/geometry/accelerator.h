@@ -57,8 +57,6 @@ class Accelerator {
   /// A lower bound of the distance from `x` to any surface, at most `limit`. By how much it falls
   /// short of a mesh, `DistanceGrid` tells.
   [[nodiscard]] double clearance(Vec3d x, double limit) const;
-  /// The same of these shapes alone.
-  [[nodiscard]] double clearance(Vec3d x, std::span<const std::uint32_t> among) const;
   /// False only if no surface lies within `radius` of the segment.
   [[nodiscard]] bool near(const Segment& segment, double radius) const;
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 namespace portalens {
 namespace {
@@ -61,6 +61,25 @@ class Cover {
   std::vector<std::uint32_t> sums_;
 };
 
+/// Adds the boxes of pieces of a triangle, which is halved as often where they would be large.
+/// @param cells_met  of a box: the first cells that it meets, and the last, each way
+template <class CellsMet>
+void cover_triangle(Cover& cover, const CellsMet& cells_met, const std::array<Vec3d, 3>& t,
+                    int halvings) {
+  Box around;
+  for (const Vec3d& corner : t) around.add(corner);
+  const auto [from, to] = cells_met(around);
+  const int met = (to[0] - from[0] + 1) * (to[1] - from[1] + 1) * (to[2] - from[2] + 1);
+  if (halvings == 0 || met <= 4) return cover.add(from, to);
+  std::size_t longest = 0;
+  for (std::size_t i = 1; i < 3; ++i)
+    if (length(t[(i + 1) % 3] - t[i]) > length(t[(longest + 1) % 3] - t[longest])) longest = i;
+  const Vec3d a = t[longest], b = t[(longest + 1) % 3], c = t[(longest + 2) % 3];
+  const Vec3d middle = (a + b) * 0.5;
+  cover_triangle(cover, cells_met, {a, middle, c}, halvings - 1);
+  cover_triangle(cover, cells_met, {middle, b, c}, halvings - 1);
+}
+
 /// What lies between two cells of a line, in sides of a cell, squared.
 std::uint32_t gap2(int apart) {
   const int between = std::max(apart - 1, 0);
@@ -91,7 +110,7 @@ void spread_along(std::vector<std::uint32_t>& cells, std::size_t stride, int cou
 
 inline std::array<int, 3> DistanceGrid::cell_at(Vec3d x) const {
   const auto along = [this](double from_low, int count) {
-    return std::clamp(static_cast<int>(from_low * per_cell_), 0, count - 1);
+    return static_cast<int>(std::clamp(from_low * per_cell_, 0.0, count - 1.0));
   };
   const Vec3d d = x - low_;
   return {along(d.x, count_[0]), along(d.y, count_[1]), along(d.z, count_[2])};
@@ -116,23 +135,12 @@ DistanceGrid::DistanceGrid(const Mesh& mesh) {
   // Boxes of large triangles would cover much that these don't meet.
   const int halvings = std::clamp(22 - static_cast<int>(std::log2(triangles)), 0, 12);
   Cover cover(count_);
-  const auto add = [&](const auto& self, const std::array<Vec3d, 3>& t, int left) -> void {
-    Box around;
-    for (const Vec3d& corner : t) around.add(corner);
-    around = around.grown(slack_);
-    const CellIndex from = cell_at(around.low), to = cell_at(around.high);
-    const int met = (to[0] - from[0] + 1) * (to[1] - from[1] + 1) * (to[2] - from[2] + 1);
-    if (left == 0 || met <= 4) return cover.add(from, to);
-    std::size_t longest = 0;
-    for (std::size_t i = 1; i < 3; ++i)
-      if (length(t[(i + 1) % 3] - t[i]) > length(t[(longest + 1) % 3] - t[longest])) longest = i;
-    const Vec3d a = t[longest], b = t[(longest + 1) % 3], c = t[(longest + 2) % 3];
-    const Vec3d middle = (a + b) * 0.5;
-    self(self, {a, middle, c}, left - 1);
-    self(self, {middle, b, c}, left - 1);
+  const auto cells_met = [this](const Box& piece) {
+    const Box grown = piece.grown(slack_);
+    return std::pair(cell_at(grown.low), cell_at(grown.high));
   };
   for (std::uint32_t face = 0; face < mesh.triangle_count(); ++face)
-    add(add, mesh.triangle(face), halvings);
+    cover_triangle(cover, cells_met, mesh.triangle(face), halvings);
 
   // So far that no sum of gaps is as much, nor overflows.
   std::vector<std::uint32_t> cells = cover.covered(3u * most_cells * most_cells);

@@ -10,9 +10,9 @@
 
 namespace portalens {
 
-/// Immutable, safe from any thread. A look-up costs as much whatever the number of triangles; the
-/// nearest triangle itself would take a hundred times as long. Some 64 bytes a triangle at most,
-/// and a megabyte.
+/// Immutable, safe from any thread. A look-up costs as much whatever the number of triangles, and
+/// far less than a search for the nearest. It takes up to 64 bytes a triangle, at least 4 kB and at
+/// most 1 MB.
 class DistanceGrid {
  public:
   /// @pre the mesh has triangles

@@ -70,12 +70,7 @@ class LaneDriver {
       end(lane);
       return;
     }
-    starts_[lane] = starts_[lane].after(arrival.length - begun);
-    if (event == LaneEvent::consult && goes_on_clear(lane, state.position)) {
-      fresh_ |= (fresh ? 1u : 0u) << lane;
-      return;
-    }
-    const Travel way{state, starts_[lane], arrival};
+    const Travel way{state, starts_[lane].after(arrival.length - begun), arrival};
     if (!trails_.empty()) note_place(lane, state);
     scalar_.resume(way);
     const bool arrived = event == LaneEvent::portal    ? meet_portal(way, object)
@@ -93,19 +88,6 @@ class LaneDriver {
       if (!trails_.empty()) note_place(lane, scalar_.way().state);
       put(lane, scalar_.way().state, scalar_.way().start, scalar_.free_length());
     }
-  }
-
-  /// Most that enter a box are far from what is in it: then the lane may take the step after all,
-  /// if it is no longer than that. Asked once a place.
-  [[nodiscard]] bool goes_on_clear(int lane, Vec3d x) {
-    if (lanes_.steps[lane] == asked_after_[lane]) return false;
-    asked_after_[lane] = lanes_.steps[lane];
-    // Floats may be off by that much.
-    const double clear = space_.surfaces.clearance(x, plan_.boxed) - 1e-5 * space_.extent;
-    if (!(clear > static_cast<double>(lanes_.clear[lane]))) return false;
-    lanes_.clear[lane] = static_cast<float>(clear);
-    lanes_.event[lane] = 0.0f;
-    return true;
   }
 
   /// Where lane `lane` is, at the length that its arrival tells.
@@ -196,7 +178,6 @@ class LaneDriver {
         departure.shape == no_object ? -1.0f : static_cast<float>(departure.shape);
     lanes_.departed_side[lane] = static_cast<float>(departure.side);
     lanes_.clear[lane] = static_cast<float>(clear);
-    asked_after_[lane] = -1.0f;
     lanes_.live[lane] = 1.0f;
     lanes_.event[lane] = 0.0f;
   }
@@ -257,8 +238,6 @@ class LaneDriver {
   std::array<State, lane_count> states_;  ///< where they were put, in double
   std::array<PathStart, lane_count> starts_;
   std::array<std::size_t, lane_count> photon_{};
-  /// Steps after which clearance was asked for last.
-  std::array<float, lane_count> asked_after_{};
   std::uint32_t fresh_ = 0;  ///< lanes that have not moved since they were filled, a bit each
   std::size_t next_ = 0;
   int travelling_ = 0;

@@ -89,11 +89,9 @@ void add_polygon(const Quad& quad, int shape, Vec3d center, LaneScene& scene) {
   }
 }
 
-void add_surfaces(const Space& space, LanePlan& plan) {
-  const Vec3d center = plan.center;
-  LaneScene& scene = plan.scene;
+void add_surfaces(const Space& space, Vec3d center, LaneScene& scene) {
   const auto& shapes = space.surfaces.shapes();
-  for (std::uint32_t i = 0; i < shapes.size(); ++i) {
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
     const auto* quad = std::get_if<Quad>(&shapes[i]);
     const auto* sphere = std::get_if<Sphere>(&shapes[i]);
     if (quad && scene.polygon_count < most_lane_polygons) {
@@ -105,7 +103,6 @@ void add_surfaces(const Space& space, LanePlan& plan) {
     } else {
       add_box(std::visit([](const auto& shape) { return shape.bounds(); }, shapes[i]), center,
               scene);
-      plan.boxed.push_back(i);
     }
   }
 }
@@ -146,7 +143,7 @@ std::unique_ptr<const LanePlan> plan_lanes(const Space& space) {
   add_masses(space, plan->center, scene);
   if (!add_portals(space, plan->center, scene)) return nullptr;
   if (!add_coupling(space, *plan)) return nullptr;
-  add_surfaces(space, *plan);
+  add_surfaces(space, plan->center, scene);
 
   const Radau step = Radau::from({physics.step, physics.tolerance});
   scene.stiffness_weight = static_cast<float>(step.stiffness_weight);

@@ -2,7 +2,6 @@
 /// Laying out a space for the lanes.
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -18,7 +17,6 @@ struct LanePlan {
   LaneScene scene;
   Vec3d center;
   std::vector<float> map_nodes, map_cells;  ///< that `scene.maps` look up
-  std::vector<std::uint32_t> boxed;         ///< the shapes that lanes know the boxes of alone
 
   LanePlan() = default;
   LanePlan(const LanePlan&) = delete;

@@ -97,6 +97,20 @@ TEST(DistanceGrid, TellsNothingOnTheMesh) {
   }
 }
 
+TEST(DistanceGrid, TinyMeshesFarAwayAreStillBounded) {
+  for (const double away : {0.0, 1e3, 1e11}) {
+    Triangles tiny;
+    tiny.positions = {{away, 0, 0}, {away, 1e-60, 0}, {away, 0, 1e-60}};
+    tiny.corners.push_back({{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}});
+    const Mesh mesh{tiny};
+    ASSERT_EQ(mesh.triangle_count(), 1u);
+    const DistanceGrid grid(mesh);
+    EXPECT_EQ(grid.clearance({away, 0, 0}), 0.0);
+    EXPECT_LE(grid.clearance({away, 3, 4}), 5.0);
+    EXPECT_GE(grid.clearance({away, 3, 4}), 4.0);
+  }
+}
+
 TEST(DistanceGrid, ManyTrianglesThroughAllOfTheBoxStillBoundIt) {
   Random random(23);
   const Mesh mesh(straw(30000, {}, random));
