@@ -130,7 +130,7 @@ std::vector<Question> questions(const Request& request) {
       {"depth, one pair",
        1.0,
        "no chain goes straight back: one way more a portal and level",
-       {1, 2, 4},
+       {1, 2, 4, 8},
        [=](int levels) {
          return stage(128, depth(levels, "closest-point")) + one_mass + portals(2);
        }},

@@ -31,6 +31,8 @@ struct LaneCoupled {
   [[nodiscard]] Vec3<R> acceleration(Vec3<R> x) const {
     return direct.acceleration(x) + through.acceleration(x);
   }
+  /// `boundary` finds them all.
+  [[nodiscard]] R first_change(typename R::Mask, const LanePath<R>&, Vec3<R>) const { return R(2); }
   [[nodiscard]] R distance2(int mass) const { return direct.distance2(mass); }
   static constexpr bool sees_borders_far_off = Through::sees_borders_far_off;
 

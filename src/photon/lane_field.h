@@ -24,6 +24,7 @@ struct LaneField {
   /// Of each mass, from the step's start: square of its distance, and how far ahead it is.
   R squares[most_lane_masses], along[most_lane_masses];
   LaneFoot<R> feet[most_lane_gates];
+  R reached[most_lane_gates];                 ///< 1 where the gate acts
   R seen[most_lane_gates][most_lane_masses];  ///< as `inside`, through the gate
   typename R::Mask acting;
 
@@ -95,12 +96,31 @@ struct LaneField {
     return least;
   }
 
+  /// Where within the step a gate's nearest point changes its feature: what `boundary` could not
+  /// foresee on a way that bends. Until there the field was as frozen, so the path is right.
+  /// @param end  no later than which it is looked for, roughly
+  /// @return the share of the step, beyond 1 where there is none
+  [[nodiscard]] R first_change(typename R::Mask which, const LanePath<R>& path, Vec3<R> end) const {
+    R first(2);
+    R qx[most_lane_gates], qy[most_lane_gates];
+    for (int g = 0; g < scene.gate_count; ++g) {
+      const Vec3<R> local = local_of(g, end, qx, qy);
+      qx[g] = feet[g].x(local);
+      qy[g] = feet[g].y(local);
+      const auto changed =
+          which & (reached[g] > R(0)) & has_other_foot(scene.gates[g], feet[g], local);
+      if (any(changed))
+        first = min(first, first_border(scene.gates[g], changed, seen_from(g, path)));
+    }
+    return first;
+  }
+
   /// Borders are found however far off they are: where nothing acts, straight flights end there.
   static constexpr bool sees_borders_far_off = true;
 
  private:
   void decide_gates(Vec3<R> anchor) {
-    R qx[most_lane_gates], qy[most_lane_gates], reached[most_lane_gates];
+    R qx[most_lane_gates], qy[most_lane_gates];
     for (int g = 0; g < scene.gate_count; ++g) {
       const LaneGate& gate = scene.gates[g];
       const Vec3<R> local = local_of(g, anchor, qx, qy);
@@ -118,6 +138,23 @@ struct LaneField {
             select(near & (dot(d, d) < R(scene.masses[i].influence2)), R(scene.masses[i].gm), R(0));
       }
     }
+  }
+
+  /// The path in a gate's coordinates; through another gate that of its nearest point.
+  [[nodiscard]] LocalPath<R> seen_from(int g, const LanePath<R>& path) const {
+    const LaneGate& gate = scene.gates[g];
+    if (gate.parent < 0) {
+      const Vec3<R> local =
+          to_axes(path.place.c0 - spread<R>(gate.origin), gate.right, gate.up, gate.normal);
+      return {path.height(local.x, spread<R>(gate.right)), path.height(local.y, spread<R>(gate.up)),
+              path.height(local.z, spread<R>(gate.normal))};
+    }
+    const LaneFoot<R>& foot = feet[gate.parent];
+    const LocalPath<R> before = seen_from(gate.parent, path);
+    const auto x = before.x * foot.keep_x + foot.fix_x, y = before.y * foot.keep_y + foot.fix_y;
+    return {x * R(gate.by_x.x) + y * R(gate.by_y.x) + R(gate.offset.x),
+            x * R(gate.by_x.y) + y * R(gate.by_y.y) + R(gate.offset.y),
+            x * R(gate.by_x.z) + y * R(gate.by_y.z) + R(gate.offset.z)};
   }
 
   struct Source {

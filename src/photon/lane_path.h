@@ -33,6 +33,19 @@ struct LaneQuintic {
   [[nodiscard]] T slope(R u) const {
     return c1 + (c2 * R(2) + (c3 * R(3) + (c4 * R(4) + c5 * (R(5) * u)) * u) * u) * u;
   }
+
+  friend LaneQuintic operator+(const LaneQuintic& a, const LaneQuintic& b) {
+    return {a.c0 + b.c0, a.c1 + b.c1, a.c2 + b.c2, a.c3 + b.c3, a.c4 + b.c4, a.c5 + b.c5};
+  }
+  friend LaneQuintic operator-(const LaneQuintic& a, const LaneQuintic& b) {
+    return {a.c0 - b.c0, a.c1 - b.c1, a.c2 - b.c2, a.c3 - b.c3, a.c4 - b.c4, a.c5 - b.c5};
+  }
+  friend LaneQuintic operator+(const LaneQuintic& a, T more) {
+    return {a.c0 + more, a.c1, a.c2, a.c3, a.c4, a.c5};
+  }
+  friend LaneQuintic operator*(const LaneQuintic& a, R scale) {
+    return {a.c0 * scale, a.c1 * scale, a.c2 * scale, a.c3 * scale, a.c4 * scale, a.c5 * scale};
+  }
 };
 
 /// Where it vanishes, in the lanes of `which`: `at(u) * before` is positive at `low` and negative

@@ -5,6 +5,7 @@
 
 #include "math/vec3.h"
 #include "photon/lane_border.h"
+#include "photon/lane_path.h"
 #include "photon/lane_scene.h"
 
 namespace portalens {
@@ -33,6 +34,10 @@ struct LaneFoot {
 
   [[nodiscard]] R x(Vec3<R> local) const { return keep_x * local.x + fix_x; }
   [[nodiscard]] R y(Vec3<R> local) const { return keep_y * local.y + fix_y; }
+  [[nodiscard]] typename R::Mask same(const LaneFoot& other) const {
+    return (keep_x == other.keep_x) & (fix_x == other.fix_x) & (keep_y == other.keep_y) &
+           (fix_y == other.fix_y);
+  }
 };
 
 /// What comes through a portal depends on where the nearest point of its rectangle is, not on where
@@ -66,6 +71,60 @@ template <class R, class Rectangle>
   return foot;
 }
 
+/// Where another feature than that of `foot` is nearest.
+template <class R, class Rectangle>
+[[nodiscard]] typename R::Mask has_other_foot(const Rectangle& rectangle, const LaneFoot<R>& foot,
+                                              Vec3<R> local) {
+  const auto inside_x = abs(local.x) <= R(rectangle.half_width);
+  const auto inside_y = abs(local.y) <= R(rectangle.half_height);
+  const auto other_x =
+      (inside_x & (foot.keep_x == R(0))) | (!inside_x & (foot.fix_x * local.x <= R(0)));
+  const auto other_y =
+      (inside_y & (foot.keep_y == R(0))) | (!inside_y & (foot.fix_y * local.y <= R(0)));
+  const auto other = other_x | other_y;
+  const auto wraps = inside_x & inside_y & (local.z < R(-rectangle.tolerance));
+  if (!any(wraps)) return other;
+  return (wraps & !foot.same(foot_on(rectangle, local))) | (!wraps & other);
+}
+
+/// A path in the local coordinates of a rectangle.
+template <class R>
+struct LocalPath {
+  LaneQuintic<R, R> x, y, z;
+};
+
+/// The share of a step where its path first meets a plane at which the nearest feature changes, or
+/// 2 where it meets none. A plane that it meets twice is not seen.
+template <class R, class Rectangle>
+[[nodiscard]] R first_border(const Rectangle& rectangle, typename R::Mask which,
+                             const LocalPath<R>& path) {
+  const R w(rectangle.half_width), h(rectangle.half_height);
+  R first(2);
+  const auto meet = [&](typename R::Mask may, const LaneQuintic<R, R>& height) {
+    const R z0 = height.c0, z1 = height.at(R(1));
+    const auto crosses = may & (z0 * z1 < R(0));
+    if (!any(crosses)) return;
+    const R guess = z0 / select(crosses, z0 - z1, R(1));
+    const R u = crossing(crosses, height, guess, z0, R(0), R(1));
+    first = min(first, select(crosses, u, R(2)));
+  };
+  meet(which, path.x + -w);
+  meet(which, path.x + w);
+  meet(which, path.y + -h);
+  meet(which, path.y + h);
+  meet(which & (abs(path.x.c0) <= w) & (abs(path.y.c0) <= h), path.z);
+  const auto behind = which & (path.z.c0 < R(0));
+  if (!any(behind)) return first;
+  const R gap = h - w;
+  meet(behind, path.x);
+  meet(behind, path.y);
+  meet(behind, path.x - path.y + gap);
+  meet(behind, path.x - path.y + -gap);
+  meet(behind, path.x + path.y + gap);
+  meet(behind, path.x + path.y + -gap);
+  return first;
+}
+
 /// Where, straight on but for how the way turns at first, the nearest feature changes or the
 /// distance to it passes the reach.
 /// @param rectangle  has besides `reach2`
@@ -77,12 +136,14 @@ template <class R, class Rectangle>
   const R w(rectangle.half_width), h(rectangle.half_height);
   FirstPlane<R> first;
   // Beside the rectangle its own plane divides nothing.
-  const auto column = (abs(local.x) <= w) & (abs(local.y) <= h);
+  const auto inside_x = abs(local.x) <= w, inside_y = abs(local.y) <= h;
+  const auto column = inside_x & inside_y;
   first.offer(select(column, local.z, R(0)), way.z, turn.z);
-  first.offer(local.x - w, way.x, turn.x);
-  first.offer(local.x + w, way.x, turn.x);
-  first.offer(local.y - h, way.y, turn.y);
-  first.offer(local.y + h, way.y, turn.y);
+  // From inside the way leads to one of two lines, from outside to the nearer first.
+  const R side_x = select(select(inside_x, way.x, local.x) < R(0), -w, w);
+  const R side_y = select(select(inside_y, way.y, local.y) < R(0), -h, h);
+  first.offer(local.x - side_x, way.x, turn.x);
+  first.offer(local.y - side_y, way.y, turn.y);
   // Behind the rectangle, the nearest edge changes: at the middle planes and the bisectors.
   const auto behind = column & (local.z < R(0));
   if (any(behind)) {

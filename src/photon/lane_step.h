@@ -68,6 +68,7 @@ class LaneStepper {
     find_boxes(path, end, clear, doubtful);
 
     const Mask consults = live & (doubtful > R(0));
+    find_change(path, end, field, live & !consults, found);
     const Mask ends = (found.share <= R(1)) & live & !consults;
     const Mask escapes = live & flies & (border >= R(never)) & !(found.share <= R(1)) & !consults;
     const Mask stays = consults | escapes | !live;
@@ -127,6 +128,17 @@ class LaneStepper {
     const R proposed = Radau::propose(start.stiffness, start.nearness, R(scene_.stiffness_weight),
                                       R(scene_.nearness_weight));
     return select(flies, span(x) + R(scene_.radius), min(proposed, R(scene_.farthest)));
+  }
+
+  /// Ends the step where the form of the field changes, if `boundary` has not foreseen it.
+  void find_change(const LanePath<R>& path, const StateOf<R>& end, const F& field, Mask which,
+                   LaneFinding<R>& found) const {
+    if (scene_.gate_count == 0) return;
+    const R over(scene_.overshoot);
+    // What changes just before the end has been foreseen.
+    const V before = end.position - end.direction * (path.h * R(2e-3) + R(2) * over);
+    const R change = field.first_change(which, path, before);
+    found.offer(change <= R(1), change + over / path.h, LaneEvent::none, R(-1));
   }
 
   void find_horizons(const LanePath<R>& path, const F& field, LaneFinding<R>& found) const {
