@@ -137,7 +137,7 @@ std::vector<Question> questions(const Request& request) {
       {"depth, one pair, graviton-map",
        0.0,
        "one look-up a portal, whatever the depth; a stronger field takes more steps",
-       {1, 2, 4},
+       {1, 2, 4, 8},
        [=](int levels) {
          return stage(128, depth(levels, "graviton-map")) + one_mass + portals(2);
        }},

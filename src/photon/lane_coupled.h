@@ -8,6 +8,7 @@ namespace portalens {
 
 /// Masses directly, and `Through` through portals. `Through` has, as `LaneField` does, `decide`,
 /// `acting`, `acceleration`, `boundary`, `sees_borders_far_off`, and
+///   R first_change(Mask which, const LanePath<R>& path, Vec3<R> end) const;
 ///   void add_to(LaneBending<R>& sum, Vec3<R> x, Vec3<R> t) const;
 template <class R, class Through>
 struct LaneCoupled {
@@ -31,8 +32,9 @@ struct LaneCoupled {
   [[nodiscard]] Vec3<R> acceleration(Vec3<R> x) const {
     return direct.acceleration(x) + through.acceleration(x);
   }
-  /// `boundary` finds them all.
-  [[nodiscard]] R first_change(typename R::Mask, const LanePath<R>&, Vec3<R>) const { return R(2); }
+  [[nodiscard]] R first_change(typename R::Mask which, const LanePath<R>& path, Vec3<R> end) const {
+    return through.first_change(which, path, end);
+  }
   [[nodiscard]] R distance2(int mass) const { return direct.distance2(mass); }
   static constexpr bool sees_borders_far_off = Through::sees_borders_far_off;
 

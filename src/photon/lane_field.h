@@ -101,18 +101,17 @@ struct LaneField {
   /// @param end  no later than which it is looked for, roughly
   /// @return the share of the step, beyond 1 where there is none
   [[nodiscard]] R first_change(typename R::Mask which, const LanePath<R>& path, Vec3<R> end) const {
-    R first(2);
+    FirstMeeting<R> first;
     R qx[most_lane_gates], qy[most_lane_gates];
     for (int g = 0; g < scene.gate_count; ++g) {
+      const LaneGate& gate = scene.gates[g];
       const Vec3<R> local = local_of(g, end, qx, qy);
       qx[g] = feet[g].x(local);
       qy[g] = feet[g].y(local);
-      const auto changed =
-          which & (reached[g] > R(0)) & has_other_foot(scene.gates[g], feet[g], local);
-      if (any(changed))
-        first = min(first, first_border(scene.gates[g], changed, seen_from(g, path)));
+      const auto changed = which & (reached[g] > R(0)) & has_other_foot(gate, feet[g], local);
+      if (any(changed)) first.offer_borders(gate, changed, seen_from(g, path));
     }
-    return first;
+    return first.share;
   }
 
   /// Borders are found however far off they are: where nothing acts, straight flights end there.
@@ -143,12 +142,7 @@ struct LaneField {
   /// The path in a gate's coordinates; through another gate that of its nearest point.
   [[nodiscard]] LocalPath<R> seen_from(int g, const LanePath<R>& path) const {
     const LaneGate& gate = scene.gates[g];
-    if (gate.parent < 0) {
-      const Vec3<R> local =
-          to_axes(path.place.c0 - spread<R>(gate.origin), gate.right, gate.up, gate.normal);
-      return {path.height(local.x, spread<R>(gate.right)), path.height(local.y, spread<R>(gate.up)),
-              path.height(local.z, spread<R>(gate.normal))};
-    }
+    if (gate.parent < 0) return LocalPath<R>::over(gate, path);
     const LaneFoot<R>& foot = feet[gate.parent];
     const LocalPath<R> before = seen_from(gate.parent, path);
     const auto x = before.x * foot.keep_x + foot.fix_x, y = before.y * foot.keep_y + foot.fix_y;

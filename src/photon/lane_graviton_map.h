@@ -73,6 +73,28 @@ class LaneGravitonMap {
     return least;
   }
 
+  /// As in `LaneField`; and where the cells end that a step may use.
+  [[nodiscard]] R first_change(Mask which, const LanePath<R>& path, Vec3<R> end) const {
+    FirstMeeting<R> first;
+    for (int k = 0; k < scene_.map_count; ++k) {
+      const LaneFace& face = scene_.maps[k].face;
+      const Vec3<R> local = local_in(face, end);
+      const R x = feet_[k].x(local), y = feet_[k].y(local);
+      const Mask leaves_x = (feet_[k].keep_x > R(0)) & ((x < low_x_[k]) | (x > high_x_[k]));
+      const Mask leaves_y = (feet_[k].keep_y > R(0)) & ((y < low_y_[k]) | (y > high_y_[k]));
+      const Mask acts = which & (acts_[k] > R(0));
+      const Mask changed = acts & has_other_foot(face, feet_[k], local);
+      if (!any(changed | (acts & (leaves_x | leaves_y)))) continue;
+      const auto seen = LocalPath<R>::over(face, path);
+      first.offer_borders(face, changed, seen);
+      first.offer(acts & leaves_x, seen.x + -low_x_[k]);
+      first.offer(acts & leaves_x, seen.x + -high_x_[k]);
+      first.offer(acts & leaves_y, seen.y + -low_y_[k]);
+      first.offer(acts & leaves_y, seen.y + -high_y_[k]);
+    }
+    return first.share;
+  }
+
   static constexpr bool sees_borders_far_off = true;
 
  private:

@@ -87,43 +87,55 @@ template <class R, class Rectangle>
   return (wraps & !foot.same(foot_on(rectangle, local))) | (!wraps & other);
 }
 
-/// A path in the local coordinates of a rectangle.
+/// A step's path in the local coordinates of a rectangle.
 template <class R>
 struct LocalPath {
   LaneQuintic<R, R> x, y, z;
+
+  /// @param face  has `origin`, `right`, `up`, `normal`
+  template <class Face>
+  [[nodiscard]] static LocalPath over(const Face& face, const LanePath<R>& path) {
+    const Vec3<R> start =
+        to_axes(path.place.c0 - spread<R>(face.origin), face.right, face.up, face.normal);
+    return {path.height(start.x, spread<R>(face.right)), path.height(start.y, spread<R>(face.up)),
+            path.height(start.z, spread<R>(face.normal))};
+  }
 };
 
-/// The share of a step where its path first meets a plane at which the nearest feature changes, or
-/// 2 where it meets none. A plane that it meets twice is not seen.
-template <class R, class Rectangle>
-[[nodiscard]] R first_border(const Rectangle& rectangle, typename R::Mask which,
-                             const LocalPath<R>& path) {
-  const R w(rectangle.half_width), h(rectangle.half_height);
-  R first(2);
-  const auto meet = [&](typename R::Mask may, const LaneQuintic<R, R>& height) {
+/// The plane that a step's path meets first; one that it meets twice is not seen.
+template <class R>
+struct FirstMeeting {
+  R share{2};  ///< of the step; beyond 1: none
+
+  void offer(typename R::Mask may, const LaneQuintic<R, R>& height) {
     const R z0 = height.c0, z1 = height.at(R(1));
     const auto crosses = may & (z0 * z1 < R(0));
     if (!any(crosses)) return;
     const R guess = z0 / select(crosses, z0 - z1, R(1));
     const R u = crossing(crosses, height, guess, z0, R(0), R(1));
-    first = min(first, select(crosses, u, R(2)));
-  };
-  meet(which, path.x + -w);
-  meet(which, path.x + w);
-  meet(which, path.y + -h);
-  meet(which, path.y + h);
-  meet(which & (abs(path.x.c0) <= w) & (abs(path.y.c0) <= h), path.z);
-  const auto behind = which & (path.z.c0 < R(0));
-  if (!any(behind)) return first;
-  const R gap = h - w;
-  meet(behind, path.x);
-  meet(behind, path.y);
-  meet(behind, path.x - path.y + gap);
-  meet(behind, path.x - path.y + -gap);
-  meet(behind, path.x + path.y + gap);
-  meet(behind, path.x + path.y + -gap);
-  return first;
-}
+    share = min(share, select(crosses, u, R(2)));
+  }
+
+  /// All planes at which the nearest feature of a rectangle changes.
+  template <class Rectangle>
+  void offer_borders(const Rectangle& rectangle, typename R::Mask may, const LocalPath<R>& path) {
+    const R w(rectangle.half_width), h(rectangle.half_height);
+    offer(may, path.x + -w);
+    offer(may, path.x + w);
+    offer(may, path.y + -h);
+    offer(may, path.y + h);
+    offer(may & (abs(path.x.c0) <= w) & (abs(path.y.c0) <= h), path.z);
+    const auto behind = may & (path.z.c0 < R(0));
+    if (!any(behind)) return;
+    const R gap = h - w;
+    offer(behind, path.x);
+    offer(behind, path.y);
+    offer(behind, path.x - path.y + gap);
+    offer(behind, path.x - path.y + -gap);
+    offer(behind, path.x + path.y + gap);
+    offer(behind, path.x + path.y + -gap);
+  }
+};
 
 /// Where, straight on but for how the way turns at first, the nearest feature changes or the
 /// distance to it passes the reach.

@@ -68,6 +68,9 @@ class LaneShortestPath {
     return select(changed, bad, R(never));
   }
 
+  /// None that `boundary` does not find.
+  [[nodiscard]] R first_change(Mask, const LanePath<R>&, Vec3<R>) const { return R(2); }
+
   static constexpr bool sees_borders_far_off = false;
 
  private:

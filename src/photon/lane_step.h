@@ -133,7 +133,7 @@ class LaneStepper {
   /// Ends the step where the form of the field changes, if `boundary` has not foreseen it.
   void find_change(const LanePath<R>& path, const StateOf<R>& end, const F& field, Mask which,
                    LaneFinding<R>& found) const {
-    if (scene_.gate_count == 0) return;
+    if (scene_.gate_count + scene_.map_count == 0) return;
     const R over(scene_.overshoot);
     // What changes just before the end has been foreseen.
     const V before = end.position - end.direction * (path.h * R(2e-3) + R(2) * over);

@@ -80,8 +80,10 @@ TEST_P(LanesOfCoupling, AgreeWithTheScalarEngineWithinFloatButForFewPhotons) {
   }
   std::sort(apart.begin(), apart.end());
   EXPECT_LT(static_cast<double>(unlike), 0.003 * static_cast<double>(photons.size()) + 2);
-  EXPECT_LT(apart[apart.size() / 2], 3e-5);
-  EXPECT_LT(apart[apart.size() * 98 / 100], 6e-4);
+  // What comes through many portals in a row adds up, and so do its errors.
+  const bool deep = GetParam().second > 2;
+  EXPECT_LT(apart[apart.size() / 2], deep ? 1e-4 : 3e-5);
+  EXPECT_LT(apart[apart.size() * 98 / 100], deep ? 1e-3 : 4e-4);
 }
 
 TEST_P(LanesOfCoupling, GiveTheSameBitsWithEveryInstructionSet) {
@@ -105,7 +107,9 @@ TEST_P(LanesOfCoupling, GiveTheSameBitsWithEveryInstructionSet) {
 INSTANTIATE_TEST_SUITE_P(Couplings, LanesOfCoupling,
                          testing::Values(std::pair("none", 0), std::pair("closest-point", 1),
                                          std::pair("closest-point", 2),
+                                         std::pair("closest-point", 8),
                                          std::pair("graviton-map", 1), std::pair("graviton-map", 2),
+                                         std::pair("graviton-map", 6),
                                          std::pair("shortest-path", 1),
                                          std::pair("portal-mass", 1)));
 
