@@ -101,7 +101,8 @@ void look_at_memory(const World& world, const Assignment& assignment,
   if (!assignment.whole_pixels()) channels += 2 * SampleSum::node_count(assignment.range);
   const int threads =
       arguments.options.threads > 0 ? arguments.options.threads : available_threads();
-  const MemoryEstimate estimate = estimated_memory(world, assignment.window, channels, threads);
+  const MemoryEstimate estimate =
+      estimated_memory(world, assignment.window, channels, threads, assignment.tile_size);
   check_memory(estimate);
   if (!arguments.quiet && (arguments.statistics || estimate.total() > large))
     std::cerr << fmt::format("note: this takes about {} of memory; there are {}\n",

@@ -112,22 +112,48 @@ std::vector<BeamGuard::Piece> BeamGuard::beam_of(const std::array<const Trail*, 
     }
     const double apart = widening * std::sqrt(square);
     if (!first) {
-      const double aside = 2.0 * stray(points[i - 1], point) + 1e-6 * length(place);
-      beam.push_back({wide(points[i - 1].place), place, before + aside, apart + aside, last});
+      const Waypoint& begin = points[i - 1];
+      const double aside = 2.0 * stray(begin, point) + 1e-6 * length(place);
+      Piece& piece = beam.emplace_back();
+      piece.from = wide(begin.place);
+      piece.to = place;
+      piece.from_radius = before + aside;
+      piece.to_radius = apart + aside;
+      piece.stretch = point.stretch;
+      piece.begun = begin.length;
+      piece.ended = point.length;
+      piece.last = last;
     }
     before = apart;
   }
+  mark_ends(beam);
   return beam;
 }
 
-bool BeamGuard::met(const Obstacle& obstacle, const Trail& trail, const Arrival& end) const {
-  switch (obstacle.kind) {
-    case Met::portal_back:
-      return trail.entered(obstacle.index) ||
-             trail.entered(space_->portals.portals()[obstacle.index].pair);
-    default:
-      return end.met == obstacle.kind && end.object == obstacle.index;
+/// What a stretch begins or ends at, its beam touches there: on as much of the way as the places
+/// lie apart where the four ways come from it, or meet it.
+void BeamGuard::mark_ends(std::vector<Piece>& beam) {
+  for (std::size_t i = 0; i < beam.size();) {
+    std::size_t end = i;
+    while (!beam[end].last) ++end;
+    const double leaving = 2.0 * beam[i].from_radius, arriving = 2.0 * beam[end].to_radius;
+    const float first = beam[i].begun, final = beam[end].ended;
+    for (; i <= end; ++i) {
+      beam[i].leaves = beam[i].begun - first <= leaving;
+      beam[i].arrives = final - beam[i].ended <= arriving;
+    }
   }
+}
+
+bool BeamGuard::met(const Obstacle& obstacle, const Piece& piece, const Trail& trail,
+                    const Arrival& end) const {
+  const bool last = piece.stretch == trail.crossings();
+  if (obstacle.kind != Met::portal_back)
+    return piece.arrives && last && end.met == obstacle.kind && end.object == obstacle.index;
+  const auto portals = space_->portals.portals();
+  return (piece.arrives && !last && trail.portal_after(piece.stretch) == obstacle.index) ||
+         (piece.leaves && piece.stretch > 0 &&
+          portals[trail.portal_after(piece.stretch - 1)].pair == obstacle.index);
 }
 
 bool BeamGuard::touches(const Piece& piece, const Obstacle& obstacle, int halvings) {
@@ -140,11 +166,10 @@ bool BeamGuard::touches(const Piece& piece, const Obstacle& obstacle, int halvin
     if (std::visit(clearance, *obstacle.shape) > radius) return false;
   }
   if (halvings == 0) return true;
-  const Vec3d middle = (piece.from + piece.to) * 0.5;
-  const double middle_radius = 0.5 * (piece.from_radius + piece.to_radius);
-  return touches({piece.from, middle, piece.from_radius, middle_radius, false}, obstacle,
-                 halvings - 1) ||
-         touches({middle, piece.to, middle_radius, piece.to_radius, false}, obstacle, halvings - 1);
+  Piece first = piece, second = piece;
+  first.to = second.from = (piece.from + piece.to) * 0.5;
+  first.to_radius = second.from_radius = 0.5 * (piece.from_radius + piece.to_radius);
+  return touches(first, obstacle, halvings - 1) || touches(second, obstacle, halvings - 1);
 }
 
 bool BeamGuard::along_border(const std::vector<Piece>& beam) const {
@@ -166,11 +191,10 @@ bool BeamGuard::along_border(const std::vector<Piece>& beam) const {
 bool BeamGuard::clear(const std::array<const Trail*, 4>& trails, const Arrival& end) const {
   const std::vector<Piece> beam = beam_of(trails);
   if (along_border(beam)) return false;
-  for (const Obstacle& obstacle : obstacles_) {
-    if (met(obstacle, *trails[0], end)) continue;
+  for (const Obstacle& obstacle : obstacles_)
     for (const Piece& piece : beam)
-      if (touches(piece, obstacle, most_halvings)) return false;
-  }
+      if (touches(piece, obstacle, most_halvings) && !met(obstacle, piece, *trails[0], end))
+        return false;
   return true;
 }
 

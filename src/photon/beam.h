@@ -16,8 +16,8 @@
 namespace portalens {
 
 /// Looks for whatever could change the way of the light between four photons: surfaces, portals and
-/// horizons that the four did not meet, however small, and borders of influence that run along
-/// between them. Immutable, safe from any thread; borrows the space.
+/// horizons that the four did not meet where they are, however small, and borders of the masses'
+/// influences that run along between them. Immutable, safe from any thread; borrows the space.
 class BeamGuard {
  public:
   /// Null where there is too much to look through for every beam.
@@ -44,7 +44,11 @@ class BeamGuard {
   struct Piece {
     Vec3d from, to;
     double from_radius, to_radius;
-    bool last;  ///< of its stretch
+    std::int32_t stretch;
+    float begun, ended;    ///< length of the way at both ends
+    bool last = false;     ///< of its stretch
+    bool leaves = false;   ///< lies where the stretch begins, or nearly
+    bool arrives = false;  ///< and where it ends
   };
   class Follower;
 
@@ -52,7 +56,9 @@ class BeamGuard {
 
   void add(const Shape* shape, const Box& box, Met kind, std::uint32_t index);
   [[nodiscard]] static std::vector<Piece> beam_of(const std::array<const Trail*, 4>& trails);
-  [[nodiscard]] bool met(const Obstacle& obstacle, const Trail& trail, const Arrival& end) const;
+  static void mark_ends(std::vector<Piece>& beam);
+  [[nodiscard]] bool met(const Obstacle& obstacle, const Piece& piece, const Trail& trail,
+                         const Arrival& end) const;
   [[nodiscard]] static bool touches(const Piece& piece, const Obstacle& obstacle, int halvings);
   [[nodiscard]] bool along_border(const std::vector<Piece>& beam) const;
 

@@ -37,7 +37,6 @@ class Trail {
   void cross(std::uint32_t portal) {
     if (portal >= most_portals || ++crossings_ > most_crossings) known_ = false;
     portals_ = portals_ * (most_portals + 1) + portal + 1;
-    entered_ |= std::uint64_t{1} << (portal % most_portals);
   }
   /// It did something that can't be told here.
   void lose_sight() { known_ = false; }
@@ -47,9 +46,12 @@ class Trail {
   [[nodiscard]] const std::vector<Waypoint>& points() const { return points_; }
   /// The portals that it entered, in order, as one number: equal for the same portals only.
   [[nodiscard]] std::uint64_t portals() const { return portals_; }
-  /// Whether it entered that portal.
-  [[nodiscard]] bool entered(std::uint32_t portal) const {
-    return portal < most_portals && (entered_ >> portal & 1) != 0;
+  [[nodiscard]] std::int32_t crossings() const { return crossings_; }
+  /// The portal that ends a stretch. @pre known(), 0 <= stretch < crossings()
+  [[nodiscard]] std::uint32_t portal_after(std::int32_t stretch) const {
+    std::uint64_t rest = portals_;
+    for (std::int32_t i = stretch + 1; i < crossings_; ++i) rest /= most_portals + 1;
+    return static_cast<std::uint32_t>(rest % (most_portals + 1)) - 1;
   }
 
  private:
@@ -58,7 +60,7 @@ class Trail {
   static constexpr int most_crossings = 12;  // 32^12 fits 64 bits
 
   std::vector<Waypoint> points_;
-  std::uint64_t portals_ = 0, entered_ = 0;
+  std::uint64_t portals_ = 0;
   std::int32_t crossings_ = 0;
   bool known_ = true;
 };

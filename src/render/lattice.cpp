@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 #include <variant>
@@ -40,26 +41,17 @@ bool interpolable(const Space& space, const Arrival& arrival) {
   return std::holds_alternative<Quad>(shape) || std::holds_alternative<Sphere>(shape);
 }
 
-/// The angle of a pixel in the middle of the film; without perspective, as seen from where the
-/// scene fills it.
-double pixel_angle(const World& world, const FilmCamera& view) {
-  const double x = 0.5 * world.film.width, y = 0.5 * world.film.height;
-  const Ray a = view.ray(x, y), b = view.ray(x + 1.0, y);
-  return length(b.direction - a.direction) +
-         length(b.origin - a.origin) / std::max(world.space.extent, 1e-300);
-}
-
 }  // namespace
 
-std::optional<Bicubic> Bicubic::through(const Space& space, const Guides& guides, double pixel,
-                                        double most) {
-  Bicubic result;
-  result.model_ = *guides[1][1];
-  Arrival& model = result.model_;
-  if (!interpolable(space, model)) return std::nullopt;
+std::unique_ptr<const Bicubic> Bicubic::through(const Space& space, const Guides& guides,
+                                                const PixelSpan& pixel, double most) {
+  if (!interpolable(space, *guides[1][1])) return nullptr;
   for (const auto& row : guides)
     for (const Arrival* guide : row)
-      if (!alike(*guide, model)) return std::nullopt;
+      if (!alike(*guide, *guides[1][1])) return nullptr;
+  auto result = std::make_unique<Bicubic>();
+  result->model_ = *guides[1][1];
+  Arrival& model = result->model_;
   model.steps = 0;
   if (model.fate == Fate::absorbed) return result;
   const bool flat = model.fate == Fate::hit;
@@ -79,20 +71,22 @@ std::optional<Bicubic> Bicubic::through(const Space& space, const Guides& guides
                               turned.z,
                               guide.length - model.length,
                               guide.turning - model.turning};
-    std::copy(values, values + 9, result.values_[n].begin());
+    std::copy(values, values + 9, result->values_[n].begin());
   }
-  // A place's miss, as seen from where its light went.
-  const double far = flat ? 1.0 / model.length : 0.0, most_angle = most * pixel;
+  // A miss counts in pixels of where the light came from; to the sky only its direction does.
+  const double most_aside =
+      flat ? most * (pixel.angle * model.length + pixel.aside) : std::numeric_limits<double>::max();
+  const double most_turned = most * (pixel.angle + pixel.aside / space.extent);
   const auto rough = [&](std::size_t first, std::size_t step) {
-    const auto value = [&](std::size_t n) { return result.values_[first + n * step].data(); };
+    const auto value = [&](std::size_t n) { return result->values_[first + n * step].data(); };
     float third[7];
     for (std::size_t k = 0; k < 7; ++k)
       third[k] = value(3)[k] - value(0)[k] + 3.0f * (value(1)[k] - value(2)[k]);
-    const double place = (length(part(third)) + reach * std::fabs(third[3])) * far;
-    return !(place <= most_angle) || !(length(part(third + 4)) <= most_angle);
+    const double aside = length(part(third)) + reach * std::fabs(third[3]);
+    return !(aside <= most_aside) || !(length(part(third + 4)) <= most_turned);
   };
   for (std::size_t i = 0; i < 4; ++i)
-    if (rough(4 * i, 1) || rough(i, 4)) return std::nullopt;
+    if (rough(4 * i, 1) || rough(i, 4)) return nullptr;
   return result;
 }
 
@@ -135,7 +129,6 @@ Lattice::Lattice(const World& world, const BeamGuard& guard, const Window& tile)
     : world_(world),
       guard_(guard),
       view_(world.camera, world.film.width, world.film.height),
-      pixel_(pixel_angle(world, view_)),
       coarse_(level(tile, 2)),
       fine_(level(tile, 1)),
       // The coarse cells and one more about them hold all nodes that are ever asked for.
@@ -181,6 +174,20 @@ void Lattice::send_guides(const Level& level, const std::vector<std::size_t>& ce
   }
 }
 
+PixelSpan Lattice::pixel_in(const Level& level, int column, int row) const {
+  PixelSpan least{std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
+  const int side = level.stride * spacing;
+  for (const int x : {column * side, (column + 1) * side})
+    for (const int y : {row * side, (row + 1) * side}) {
+      const Ray here = view_.ray(x, y);
+      for (const Ray& next : {view_.ray(x + 1, y), view_.ray(x, y + 1)}) {
+        least.angle = std::min(least.angle, length(next.direction - here.direction));
+        least.aside = std::min(least.aside, length(next.origin - here.origin));
+      }
+    }
+  return least;
+}
+
 void Lattice::decide(Level& level, std::size_t index) {
   const int column = level.first_column + static_cast<int>(index) % level.columns;
   const int row = level.first_row + static_cast<int>(index) / level.columns;
@@ -196,7 +203,8 @@ void Lattice::decide(Level& level, std::size_t index) {
       if (!guide.trail.known() || guide.trail.portals() != first.portals()) return;
       guides[j][i] = &guide.arrival;
     }
-  auto smooth = Bicubic::through(world_.space, guides, pixel_, most_third_difference);
+  auto smooth =
+      Bicubic::through(world_.space, guides, pixel_in(level, column, row), most_third_difference);
   if (smooth &&
       guard_.clear({&first, &at(2, 1).trail, &at(1, 2).trail, &at(2, 2).trail}, at(1, 1).arrival))
     level.cells[index].smooth = std::move(smooth);

@@ -5,7 +5,7 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -19,6 +19,12 @@
 
 namespace portalens {
 
+/// How far the photons of neighbouring pixels begin apart, the least of the directions.
+struct PixelSpan {
+  double angle = 0.0;  ///< of their directions, radians
+  double aside = 0.0;  ///< of their places
+};
+
 /// The photons about a cell of the lattice that agree, four each way, and the polynomial of the
 /// third degree each way through what they found.
 class Bicubic {
@@ -27,10 +33,10 @@ class Bicubic {
 
   /// Null where the guides differ in more than a smooth function of their place would, or end in
   /// what can't be interpolated: the third differences may be this share of a pixel.
-  /// @param pixel  the angle that a pixel is wide, radians
-  /// @param most   third difference, pixels
-  [[nodiscard]] static std::optional<Bicubic> through(const Space& space, const Guides& guides,
-                                                      double pixel, double most);
+  /// @param most  third difference, pixels
+  [[nodiscard]] static std::unique_ptr<const Bicubic> through(const Space& space,
+                                                              const Guides& guides,
+                                                              const PixelSpan& pixel, double most);
 
   /// What a photon would have found at that share of the cell, from its upper left corner.
   [[nodiscard]] Arrival at(const Space& space, double u, double v) const;
@@ -68,7 +74,7 @@ class Lattice {
   };
   struct Cell {
     bool decided = false;
-    std::optional<Bicubic> smooth;
+    std::unique_ptr<const Bicubic> smooth;
   };
   /// Cells of one size: their column and row are counted from that of the first.
   struct Level {
@@ -94,6 +100,8 @@ class Lattice {
   void settle(Level& level, const std::vector<Spot>& spots, Tally& tally);
   void send_guides(const Level& level, const std::vector<std::size_t>& cells, Tally& tally);
   void decide(Level& level, std::size_t cell);
+  /// At the corner of the cell where it is least.
+  [[nodiscard]] PixelSpan pixel_in(const Level& level, int column, int row) const;
   /// @return the samples that could not be
   [[nodiscard]] std::vector<std::uint32_t> interpolate(const Level& level,
                                                        const std::vector<Spot>& spots,
@@ -102,7 +110,6 @@ class Lattice {
   const World& world_;
   const BeamGuard& guard_;
   FilmCamera view_;
-  double pixel_;  ///< radians
   Level coarse_, fine_;
   int first_column_, first_row_;
   std::size_t columns_;

@@ -1,5 +1,6 @@
 #include "render/memory.h"
 
+#include <algorithm>
 #include <set>
 #include <variant>
 
@@ -11,6 +12,8 @@ constexpr std::uint64_t bytes_of_program = std::uint64_t{120} << 20;
 constexpr std::uint64_t bytes_a_triangle = 450;  // with the accelerator, and its building
 constexpr std::uint64_t bytes_a_value = 24;      // of a channel of a pixel, while it is encoded
 constexpr std::uint64_t bytes_a_thread = std::uint64_t{16} << 20;
+
+constexpr std::uint64_t bytes_a_tile_pixel = 350;  // of photons, and of the lattice between them
 
 std::uint64_t bytes_of(const Image& image) { return image.pixels.size() * sizeof(float); }
 
@@ -36,12 +39,15 @@ std::uint64_t bytes_of_meshes(const Space& space) {
 }  // namespace
 
 MemoryEstimate estimated_memory(const World& world, const Window& window,
-                                std::size_t layer_channels, int threads) {
+                                std::size_t layer_channels, int threads, int tile_size) {
   MemoryEstimate estimate;
   estimate.program = bytes_of_program;
   estimate.scene = bytes_of_textures(world.appearance) + bytes_of_meshes(world.space);
   estimate.picture = window.pixels() * (3 + layer_channels) * bytes_a_value;
-  estimate.photons = static_cast<std::uint64_t>(threads) * bytes_a_thread;
+  const std::uint64_t side = static_cast<std::uint64_t>(tile_size);
+  const std::uint64_t tile = std::min<std::uint64_t>(side * side, window.pixels());
+  estimate.photons =
+      static_cast<std::uint64_t>(threads) * (bytes_a_thread + tile * bytes_a_tile_pixel);
   return estimate;
 }
 

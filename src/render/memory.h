@@ -22,7 +22,10 @@ struct MemoryEstimate {
 
 /// @param layer_channels  channels beside R, G, B
 /// @param threads         >= 1
+/// @param tile_size       pixels along a tile's side, >= 1: what stands between them is kept while
+///                        a tile is taken
 [[nodiscard]] MemoryEstimate estimated_memory(const World& world, const Window& window,
-                                              std::size_t layer_channels, int threads);
+                                              std::size_t layer_channels, int threads,
+                                              int tile_size);
 
 }  // namespace portalens

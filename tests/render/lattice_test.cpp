@@ -133,6 +133,109 @@ TEST(Lattice, LosesNoBallOfAPixel) {
   }
 }
 
+/// Pixels of a picture, every photon on its own way, that cross more or fewer portals than it says
+/// between others.
+int pixels_unlike(const std::string& text) {
+  const Found found = found_in(world_of(text));
+  EXPECT_GT(found.tally.interpolated, found.own.size() / 10);
+  int unlike = 0;
+  for (std::size_t i = 0; i < found.own.size(); ++i)
+    if (found.own[i].crossings != found.interpolated[i].crossings ||
+        found.own[i].object != found.interpolated[i].object)
+      ++unlike;
+  return unlike;
+}
+
+TEST(Lattice, LosesNoPortalThatIsSeenThroughItself) {
+  EXPECT_EQ(pixels_unlike(R"(
+[camera]
+position = [0, 0, 1]
+look_at = [0, 0, 0]
+[film]
+width = 128
+height = 128
+[sampler]
+samples = 1
+[[quad]]
+vertices = [[-300, -300, -40], [300, -300, -40], [300, 300, -40], [-300, 300, -40]]
+[[portal]]
+name = "a"
+pair = "b"
+vertices = [[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]]
+[[portal]]
+name = "b"
+pair = "a"
+vertices = [[2.15, 0.15, 100], [0.15, 0.15, 100], [0.15, 2.15, 100], [2.15, 2.15, 100]]
+)"),
+            0);
+}
+
+TEST(Lattice, LosesNoEdgeOfWhatIsSeenAgainBehindAPortal) {
+  EXPECT_EQ(pixels_unlike(R"(
+[camera]
+position = [0, 0.17, 20]
+look_at = [0, 0.17, 0]
+[film]
+width = 128
+height = 128
+[sampler]
+samples = 1
+[[quad]]
+vertices = [[-6, -0.05, 10], [6, -0.05, 10], [6, 0.03, 0.5], [-6, 0.03, 0.5]]
+[[portal]]
+name = "a"
+pair = "b"
+vertices = [[-5, -5, 0], [5, -5, 0], [5, 5, 0], [-5, 5, 0]]
+[[portal]]
+name = "b"
+pair = "a"
+vertices = [[-5, 3, -1], [5, 3, -1], [5, 3, 9], [-5, 3, 9]]
+)"),
+            0);
+}
+
+/// At the rim of a wide view a pixel is narrow, and so is what may be smoothed away.
+TEST(Lattice, MeasuresPixelsWhereTheyAre) {
+  const World world = world_of(R"(
+[camera]
+position = [0, 0, 0]
+look_at = [0, 0, -1]
+fov = 165.0
+[film]
+width = 128
+height = 128
+[sampler]
+samples = 1
+[physics]
+c = 20.0
+min_force = 0.0002
+[[quad]]
+vertices = [[20, -90, -90], [20, -90, 90], [20, 90, 90], [20, 90, -90]]
+[[mass]]
+center = [10, 0.7, -2.8]
+mass = 0.1
+horizon = false
+[[mass]]
+center = [10, -2.4, -2.8]
+mass = 0.1
+horizon = false
+)");
+  const Found found = found_in(world);
+  const FilmCamera view(world.camera, side, side);
+  std::vector<double> misses;
+  for (std::size_t i = 0; i < found.own.size(); ++i) {
+    const Arrival &own = found.own[i], &other = found.interpolated[i];
+    if (own.fate != Fate::hit || other.fate != Fate::hit) continue;
+    const double x = static_cast<double>(i % side), y = static_cast<double>(i / side);
+    const double pixel = length(view.ray(x + 1.0, y).direction - view.ray(x, y).direction);
+    misses.push_back(length(own.position - other.position) / own.length / pixel);
+  }
+  std::sort(misses.begin(), misses.end());
+  ASSERT_GT(misses.size(), 2000u);
+  EXPECT_LT(misses.back(), 1.0);
+  EXPECT_LT(misses[misses.size() * 99 / 100], 0.1);
+}
+
 TEST(Lattice, LeavesNoTraceOfTilesAndCrops) {
   const World world = world_of(scene("", 3));
   const auto taken = [&](int tile, std::optional<Window> crop = std::nullopt) {
