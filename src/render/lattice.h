@@ -19,7 +19,7 @@
 
 namespace portalens {
 
-/// How far the photons of neighbouring pixels begin apart, the least of the directions.
+/// How far the photons of neighbouring pixels begin apart.
 struct PixelSpan {
   double angle = 0.0;  ///< of their directions, radians
   double aside = 0.0;  ///< of their places
@@ -61,8 +61,8 @@ class Lattice {
   Lattice(const World& world, const BeamGuard& guard, const Window& tile);
 
   /// Where camera photons arrive.
-  /// @param photons  of which only where they begin follows from their places
-  /// @param places  of the photons on the film, within the tile
+  /// @param photons  where they begin is not looked at: it follows from their places
+  /// @param places   of the photons on the film, within the tile
   void advance(std::span<const Photon> photons, std::span<const FilmPlace> places,
                std::span<Arrival> arrivals, Tally& tally);
 
