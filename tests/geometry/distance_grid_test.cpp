@@ -54,7 +54,7 @@ TEST(DistanceGrid, NeverTellsMoreThanTheDistanceAndNotMuchLess) {
         const Vec3d x = at + random.point(i % 3 == 0 ? 5.0 : 1.2);
         const double truth = distance_to(mesh, x), found = grid.clearance(x);
         EXPECT_LE(found, truth);
-        EXPECT_GE(found, 0.7 * truth - 6.0 * grid.cell());
+        EXPECT_GE(found, 0.75 * truth - 3.0 * grid.cell());
       }
     }
   }
