@@ -19,6 +19,9 @@ namespace {
 
 constexpr int side = 128;
 
+const std::string small_film =
+    fmt::format("[film]\nwidth = {0}\nheight = {0}\n[sampler]\nsamples = 1\n", side);
+
 /// A ground, a hole and a pair of portals through which it pulls.
 std::string scene(const std::string& more = "", int samples = 1) {
   return fmt::format(R"(
@@ -147,15 +150,9 @@ int pixels_unlike(const std::string& text) {
 }
 
 TEST(Lattice, LosesNoPortalThatIsSeenThroughItself) {
-  EXPECT_EQ(pixels_unlike(R"(
-[camera]
+  EXPECT_EQ(pixels_unlike(small_film + R"([camera]
 position = [0, 0, 1]
 look_at = [0, 0, 0]
-[film]
-width = 128
-height = 128
-[sampler]
-samples = 1
 [[quad]]
 vertices = [[-300, -300, -40], [300, -300, -40], [300, 300, -40], [-300, 300, -40]]
 [[portal]]
@@ -171,15 +168,9 @@ vertices = [[2.15, 0.15, 100], [0.15, 0.15, 100], [0.15, 2.15, 100], [2.15, 2.15
 }
 
 TEST(Lattice, LosesNoEdgeOfWhatIsSeenAgainBehindAPortal) {
-  EXPECT_EQ(pixels_unlike(R"(
-[camera]
+  EXPECT_EQ(pixels_unlike(small_film + R"([camera]
 position = [0, 0.17, 20]
 look_at = [0, 0.17, 0]
-[film]
-width = 128
-height = 128
-[sampler]
-samples = 1
 [[quad]]
 vertices = [[-6, -0.05, 10], [6, -0.05, 10], [6, 0.03, 0.5], [-6, 0.03, 0.5]]
 [[portal]]
@@ -196,16 +187,10 @@ vertices = [[-5, 3, -1], [5, 3, -1], [5, 3, 9], [-5, 3, 9]]
 
 /// At the rim of a wide view a pixel is narrow, and so is what may be smoothed away.
 TEST(Lattice, MeasuresPixelsWhereTheyAre) {
-  const World world = world_of(R"(
-[camera]
+  const World world = world_of(small_film + R"([camera]
 position = [0, 0, 0]
 look_at = [0, 0, -1]
 fov = 165.0
-[film]
-width = 128
-height = 128
-[sampler]
-samples = 1
 [physics]
 c = 20.0
 min_force = 0.0002
