@@ -58,10 +58,13 @@ class BeamGuard::Follower {
   std::size_t at_ = 0;
 };
 
+bool BeamGuard::can_guard(const Space& space) {
+  return space.surfaces.shapes().size() + space.portals.portals().size() + space.masses.size() <=
+         most_obstacles;
+}
+
 std::optional<BeamGuard> BeamGuard::over(const Space& space) {
-  if (space.surfaces.shapes().size() + space.portals.portals().size() + space.masses.size() >
-      most_obstacles)
-    return std::nullopt;
+  if (!can_guard(space)) return std::nullopt;
   return BeamGuard(space);
 }
 

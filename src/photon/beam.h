@@ -20,7 +20,9 @@ namespace portalens {
 /// influences that run along between them. Immutable, safe from any thread; borrows the space.
 class BeamGuard {
  public:
-  /// Null where there is too much to look through for every beam.
+  /// Whether there is not too much to look through for every beam.
+  [[nodiscard]] static bool can_guard(const Space& space);
+  /// Null where it can't.
   [[nodiscard]] static std::optional<BeamGuard> over(const Space& space);
   BeamGuard(BeamGuard&&) = default;
 

@@ -259,7 +259,8 @@ Assignment assignment_of(const World& world, const RenderOptions& options) {
 }
 
 bool interpolates(const World& world, const RenderOptions& options) {
-  return options.photons == Photons::fewer && takes_lanes(world.space, options.engine);
+  return options.photons == Photons::fewer && takes_lanes(world.space, options.engine) &&
+         BeamGuard::can_guard(world.space);
 }
 
 void expose(const World& world, Exposure& exposure, const RenderOptions& options,
