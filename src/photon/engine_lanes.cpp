@@ -50,9 +50,14 @@ class LaneDriver {
   void handle(int lane, LaneEvent event, bool fresh) {
     // -1 where nothing is met: a float below 0 is no unsigned number.
     const auto object = static_cast<std::uint32_t>(static_cast<int>(lanes_.object[lane]));
-    Arrival& arrival = arrivals_[photon_[lane]];
+    const std::size_t index = photon_[lane];
+    Arrival& arrival = arrivals_[index];
+    const bool whole = (whole_ >> lane & 1) != 0;
+    if (whole) arrival = Arrival{};
     const double begun = arrival.length;
-    const State state = fresh ? states_[lane] : state_of(lane);
+    const State state = !fresh  ? state_of(lane)
+                        : whole ? State{photons_[index].position, photons_[index].direction}
+                                : states_[lane];
     if (!fresh) {
       arrival.length = lanes_.length[lane];
       arrival.turning = lanes_.turning[lane];
@@ -70,7 +75,8 @@ class LaneDriver {
       end(lane);
       return;
     }
-    const Travel way{state, starts_[lane].after(arrival.length - begun), arrival};
+    const PathStart start = whole ? PathStart{photons_[index].departure} : starts_[lane];
+    const Travel way{state, start.after(arrival.length - begun), arrival};
     if (!trails_.empty()) note_place(lane, state);
     scalar_.resume(way);
     const bool arrived = event == LaneEvent::portal    ? meet_portal(way, object)
@@ -81,12 +87,12 @@ class LaneDriver {
       end(lane);
     } else {
       if (!trails_.empty() && scalar_.way().arrival.crossings != arrival.crossings) {
-        Trail& told = trails_[photon_[lane]];
+        Trail& told = trails_[index];
         event == LaneEvent::portal ? told.cross(object) : told.lose_sight();
       }
       arrival = scalar_.way().arrival;
       if (!trails_.empty()) note_place(lane, scalar_.way().state);
-      put(lane, scalar_.way().state, scalar_.way().start, scalar_.free_length());
+      put_back(lane, scalar_.way(), scalar_.free_length());
     }
   }
 
@@ -156,11 +162,8 @@ class LaneDriver {
             t * (1.5 - 0.5 * dot(t, t))};
   }
 
-  /// The lane's photon goes on from there; how far it has come, its arrival tells.
   /// @param clear  nothing is met within that much path
-  void put(int lane, const State& state, const PathStart& start, double clear) {
-    states_[lane] = state;
-    starts_[lane] = start;
+  void put(int lane, const State& state, const Departure& departure, double clear) {
     fresh_ |= std::uint32_t{1} << lane;
     const Vec3d x = state.position - plan_.center;
     lanes_.x[lane] = static_cast<float>(x.x);
@@ -169,17 +172,22 @@ class LaneDriver {
     lanes_.tx[lane] = static_cast<float>(state.direction.x);
     lanes_.ty[lane] = static_cast<float>(state.direction.y);
     lanes_.tz[lane] = static_cast<float>(state.direction.z);
-    const Arrival& so_far = arrivals_[photon_[lane]];
-    lanes_.length[lane] = static_cast<float>(so_far.length);
-    lanes_.turning[lane] = static_cast<float>(so_far.turning);
-    lanes_.steps[lane] = static_cast<float>(so_far.steps);
-    const Departure& departure = start.departure;
     lanes_.departed[lane] =
         departure.shape == no_object ? -1.0f : static_cast<float>(departure.shape);
     lanes_.departed_side[lane] = static_cast<float>(departure.side);
     lanes_.clear[lane] = static_cast<float>(clear);
     lanes_.live[lane] = 1.0f;
-    lanes_.event[lane] = 0.0f;
+  }
+
+  /// The lane's photon goes on from there; how far it has come, its arrival tells.
+  void put_back(int lane, const Travel& way, double clear) {
+    whole_ &= ~(std::uint32_t{1} << lane);
+    states_[lane] = way.state;
+    starts_[lane] = way.start;
+    put(lane, way.state, way.start.departure, clear);
+    lanes_.length[lane] = static_cast<float>(way.arrival.length);
+    lanes_.turning[lane] = static_cast<float>(way.arrival.turning);
+    lanes_.steps[lane] = static_cast<float>(way.arrival.steps);
   }
 
   void rest(int lane) {
@@ -191,25 +199,23 @@ class LaneDriver {
     lanes_.departed_side[lane] = 1.0f;
     lanes_.clear[lane] = 0.0f;
     lanes_.live[lane] = 0.0f;
-    lanes_.event[lane] = 0.0f;
   }
 
   void refill(int lane) {
     while (next_ < photons_.size()) {
       const std::size_t index = next_++;
       const Photon& photon = photons_[index];
-      // What can't begin ends at once.
-      if (!is_finite(photon.position) || !is_finite(photon.direction) ||
-          begins_in_horizon(photon.position)) {
+      if (!can_begin(photon)) {  // it ends at once
         scalar_.resume(Travel::of(photon));
         scalar_.one_step();
         arrivals_[index] = scalar_.way().arrived();
         continue;
       }
       photon_[lane] = index;
-      arrivals_[index] = Arrival{};
-      put(lane, {photon.position, photon.direction}, {photon.departure}, 0.0);
-      if (!trails_.empty()) note_place(lane, states_[lane]);
+      whole_ |= std::uint32_t{1} << lane;
+      put(lane, {photon.position, photon.direction}, photon.departure, 0.0);
+      lanes_.length[lane] = lanes_.turning[lane] = lanes_.steps[lane] = 0.0f;
+      if (!trails_.empty()) trails_[index].pass(photon.position, 0.0, 0.0);
       ++travelling_;
       return;
     }
@@ -217,12 +223,13 @@ class LaneDriver {
   }
 
   /// Most photons of a batch begin where the one before did.
-  [[nodiscard]] bool begins_in_horizon(Vec3d x) {
-    if (!outside_horizons_ || !(*outside_horizons_ == x)) {
-      if (horizon_around(space_.masses, space_.mass_tree.every(), x)) return true;
-      outside_horizons_ = x;
-    }
-    return false;
+  [[nodiscard]] bool can_begin(const Photon& photon) {
+    const Vec3d &x = photon.position, &t = photon.direction;
+    if (!std::isfinite(t.x + t.y + t.z)) return false;
+    if (begun_ && *begun_ == x) return true;
+    if (!is_finite(x) || horizon_around(space_.masses, space_.mass_tree.every(), x)) return false;
+    begun_ = x;
+    return true;
   }
 
   const Space& space_;
@@ -232,12 +239,14 @@ class LaneDriver {
   Tracer<Radau, C> scalar_;
   std::span<const Photon> photons_;
   std::span<Arrival> arrivals_;
-  std::span<Trail> trails_;                ///< empty where nobody asks
-  std::optional<Vec3d> outside_horizons_;  ///< the last place that was found to be
+  std::span<Trail> trails_;     ///< empty where nobody asks
+  std::optional<Vec3d> begun_;  ///< the last place from which a photon could begin
   Lanes lanes_;
-  std::array<State, lane_count> states_;  ///< where they were put, in double
+  // Where they were put, in double; of those whose whole way is in lanes, the photon tells.
+  std::array<State, lane_count> states_;
   std::array<PathStart, lane_count> starts_;
   std::array<std::size_t, lane_count> photon_{};
+  std::uint32_t whole_ = 0;  ///< lanes whose photon's way is theirs from its start, a bit each
   std::uint32_t fresh_ = 0;  ///< lanes that have not moved since they were filled, a bit each
   std::size_t next_ = 0;
   int travelling_ = 0;
