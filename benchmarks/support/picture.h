@@ -51,7 +51,7 @@ namespace portalens::benchmarks {
       }
     std::vector<Arrival> found(some.size());
     Tally tally;
-    Lattice(world, guard, tile).advance(some, places, found, tally);
+    Lattice(world, guard, tile).advance(places, found, tally);
     for (std::size_t i = 0; i < which.size(); ++i) arrivals[which[i]] = found[i];
   }
   return arrivals;

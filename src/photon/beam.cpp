@@ -19,6 +19,14 @@ constexpr int most_halvings = 5;
 
 Vec3d wide(Vec3<float> v) { return {v.x, v.y, v.z}; }
 
+/// Whether the whole segment lies on one side of the quad's plane, further away than that.
+bool beside_plane(const Quad& quad, Vec3d a, Vec3d b, double distance) {
+  const double height_a = dot(a - quad.vertices()[0], quad.normal());
+  const double height_b = dot(b - quad.vertices()[0], quad.normal());
+  return (height_a > distance && height_b > distance) ||
+         (height_a < -distance && height_b < -distance);
+}
+
 /// How far a way can be from the straight one between two of its points.
 double stray(const Waypoint& a, const Waypoint& b) {
   return 0.25 * double{b.length - a.length} * double{b.turning - a.turning};
@@ -54,7 +62,7 @@ class BeamGuard::Follower {
     return at_ + 1 < points_.size() && points_[at_ + 1].stretch == points_[at_].stretch;
   }
 
-  const std::vector<Waypoint>& points_;
+  std::span<const Waypoint> points_;
   std::size_t at_ = 0;
 };
 
@@ -95,7 +103,7 @@ void BeamGuard::add(const Shape* shape, const Box& box, Met kind, std::uint32_t 
 
 std::vector<BeamGuard::Piece> BeamGuard::beam_of(const std::array<const Trail*, 4>& trails) {
   std::array<Follower, 3> others{Follower(*trails[1]), Follower(*trails[2]), Follower(*trails[3])};
-  const auto& points = trails[0]->points();
+  const auto points = trails[0]->points();
   std::vector<Piece> beam;
   beam.reserve(points.size());
   double before = 0.0;
@@ -122,6 +130,8 @@ std::vector<BeamGuard::Piece> BeamGuard::beam_of(const std::array<const Trail*, 
       piece.to = place;
       piece.from_radius = before + aside;
       piece.to_radius = apart + aside;
+      piece.middle = (piece.from + piece.to) * 0.5;
+      piece.reach = length(piece.to - piece.middle) + std::max(piece.from_radius, piece.to_radius);
       piece.stretch = point.stretch;
       piece.begun = begin.length;
       piece.ended = point.length;
@@ -161,6 +171,8 @@ bool BeamGuard::met(const Obstacle& obstacle, const Piece& piece, const Trail& t
 
 bool BeamGuard::touches(const Piece& piece, const Obstacle& obstacle, int halvings) {
   const double radius = std::max(piece.from_radius, piece.to_radius);
+  const auto* quad = obstacle.shape ? std::get_if<Quad>(obstacle.shape) : nullptr;
+  if (quad && beside_plane(*quad, piece.from, piece.to, radius)) return false;
   const Vec3d nearest = closest_on_segment(piece.from, piece.to, obstacle.center);
   if (length(nearest - obstacle.center) > obstacle.radius + radius) return false;
   if (obstacle.shape) {
@@ -180,9 +192,12 @@ bool BeamGuard::along_border(const std::vector<Piece>& beam) const {
     if (std::isinf(mass.influence) || mass.gm == 0.0) continue;
     double least = std::numeric_limits<double>::infinity(), radius = 0.0;
     for (const Piece& piece : beam) {
-      const Vec3d nearest = closest_on_segment(piece.from, piece.to, mass.center);
-      const double distance = length(nearest - mass.center);
-      if (distance < least) least = distance, radius = std::max(piece.from_radius, piece.to_radius);
+      if (length(piece.middle - mass.center) - piece.reach < least) {
+        const Vec3d nearest = closest_on_segment(piece.from, piece.to, mass.center);
+        const double distance = length(nearest - mass.center);
+        if (distance < least)
+          least = distance, radius = std::max(piece.from_radius, piece.to_radius);
+      }
       if (!piece.last) continue;
       if (std::fabs(least - mass.influence) <= 2.0 * radius) return true;
       least = std::numeric_limits<double>::infinity();
@@ -196,7 +211,8 @@ bool BeamGuard::clear(const std::array<const Trail*, 4>& trails, const Arrival& 
   if (along_border(beam)) return false;
   for (const Obstacle& obstacle : obstacles_)
     for (const Piece& piece : beam)
-      if (touches(piece, obstacle, most_halvings) && !met(obstacle, piece, *trails[0], end))
+      if (!apart(piece, obstacle) && !met(obstacle, piece, *trails[0], end) &&
+          touches(piece, obstacle, most_halvings))
         return false;
   return true;
 }

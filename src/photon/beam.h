@@ -46,6 +46,8 @@ class BeamGuard {
   struct Piece {
     Vec3d from, to;
     double from_radius, to_radius;
+    Vec3d middle;  ///< of the ball that holds it
+    double reach;  ///< and its radius
     std::int32_t stretch;
     float begun, ended;    ///< length of the way at both ends
     bool last = false;     ///< of its stretch
@@ -61,6 +63,12 @@ class BeamGuard {
   static void mark_ends(std::vector<Piece>& beam);
   [[nodiscard]] bool met(const Obstacle& obstacle, const Piece& piece, const Trail& trail,
                          const Arrival& end) const;
+  /// Whether the obstacle can't be touched, as their balls tell.
+  [[nodiscard]] static bool apart(const Piece& piece, const Obstacle& obstacle) {
+    const Vec3d between = piece.middle - obstacle.center;
+    const double reach = piece.reach + obstacle.radius;
+    return dot(between, between) > reach * reach;
+  }
   [[nodiscard]] static bool touches(const Piece& piece, const Obstacle& obstacle, int halvings);
   [[nodiscard]] bool along_border(const std::vector<Piece>& beam) const;
 

@@ -32,8 +32,8 @@ void advance(const Space& space, std::span<const Photon> photons, std::span<Arri
 [[nodiscard]] bool takes_lanes(const Space& space, Engine engine);
 
 /// The same in lanes, with the trails of all photons in few words.
-/// @pre takes_lanes(space, Engine::automatic), trails.size() == photons.size(), and the trails are
-/// new
+/// @param trails  what they told before is forgotten
+/// @pre takes_lanes(space, Engine::automatic), trails.size() == photons.size()
 void advance_with_trails(const Space& space, std::span<const Photon> photons,
                          std::span<Arrival> arrivals, std::span<Trail> trails);
 

@@ -2,9 +2,10 @@
 /// The way that a photon took, in few words: places on it, in order.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
+#include <span>
 
 #include "math/vec3.h"
 
@@ -23,15 +24,21 @@ struct Waypoint {
 /// that could be met.
 class Trail {
  public:
+  /// Forgets everything, for another way.
+  void restart() {
+    count_ = 0;
+    portals_ = 0;
+    crossings_ = 0;
+    known_ = true;
+  }
   void pass(Vec3d place, double length, double turning) {
-    if (points_.empty()) points_.reserve(16);
-    if (points_.size() == most_points) known_ = false;
+    if (count_ == most_points) known_ = false;
     if (!known_) return;
-    points_.push_back(
-        {{static_cast<float>(place.x), static_cast<float>(place.y), static_cast<float>(place.z)},
-         static_cast<float>(length),
-         static_cast<float>(turning),
-         crossings_});
+    points_[count_++] = {
+        {static_cast<float>(place.x), static_cast<float>(place.y), static_cast<float>(place.z)},
+        static_cast<float>(length),
+        static_cast<float>(turning),
+        crossings_};
   }
   /// The next place lies beyond that portal.
   void cross(std::uint32_t portal) {
@@ -42,8 +49,8 @@ class Trail {
   void lose_sight() { known_ = false; }
 
   /// False if it was too long to be told.
-  [[nodiscard]] bool known() const { return known_ && !points_.empty(); }
-  [[nodiscard]] const std::vector<Waypoint>& points() const { return points_; }
+  [[nodiscard]] bool known() const { return known_ && count_ > 0; }
+  [[nodiscard]] std::span<const Waypoint> points() const { return {points_.data(), count_}; }
   /// The portals that it entered, in order, as one number: equal for the same portals only.
   [[nodiscard]] std::uint64_t portals() const { return portals_; }
   [[nodiscard]] std::int32_t crossings() const { return crossings_; }
@@ -59,10 +66,11 @@ class Trail {
   static constexpr std::uint32_t most_portals = 31;
   static constexpr int most_crossings = 12;  // 32^12 fits 64 bits
 
-  std::vector<Waypoint> points_;
   std::uint64_t portals_ = 0;
+  std::size_t count_ = 0;
   std::int32_t crossings_ = 0;
   bool known_ = true;
+  std::array<Waypoint, most_points> points_;  ///< the first `count_` of them
 };
 
 }  // namespace portalens

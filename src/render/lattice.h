@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -30,25 +29,45 @@ struct PixelSpan {
 class Bicubic {
  public:
   using Guides = std::array<std::array<const Arrival*, 4>, 4>;
+  class Row;
 
-  /// Null where the guides differ in more than a smooth function of their place would, or end in
-  /// what can't be interpolated: the third differences may be this share of a pixel.
+  /// Whether they met the same, and it is something that can be interpolated.
+  [[nodiscard]] static bool agree(const Space& space, const Guides& guides);
+  /// False where the guides differ in more than a smooth function of their place would.
   /// @param most  third difference, pixels
-  [[nodiscard]] static std::unique_ptr<const Bicubic> through(const Space& space,
-                                                              const Guides& guides,
-                                                              const PixelSpan& pixel, double most);
-
-  /// What a photon would have found at that share of the cell, from its upper left corner.
-  [[nodiscard]] Arrival at(const Space& space, double u, double v) const;
+  /// @pre they agree
+  [[nodiscard]] bool through(const Space& space, const Guides& guides, const PixelSpan& pixel,
+                             double most);
 
  private:
   /// What is interpolated: homogeneous coordinates of the place, which over a plane are linear
   /// where light is straight, the direction, and how far and how much the way turned; all relative
   /// to the model, so that floats are enough. The rest is 0.
   using Values = std::array<float, 12>;
+  /// Coefficients of a polynomial of the third degree, from that of the constant.
+  using Cubic = std::array<Values, 4>;
 
-  Arrival model_;  ///< one of the guides
-  std::array<Values, 16> values_{};
+  [[nodiscard]] static Cubic cubic_through(const Values& before, const Values& first,
+                                           const Values& second, const Values& after);
+  [[nodiscard]] static Values value(const Cubic& cubic, float at);
+
+  Arrival model_;                   ///< one of the guides
+  const Sphere* sphere_ = nullptr;  ///< that it is on
+  /// By the share of the cell from the left, and their coefficients by that from above.
+  std::array<Cubic, 4> cubics_{};
+};
+
+/// What photons would have found along a row of a cell. Borrows the cell.
+class Bicubic::Row {
+ public:
+  /// @param v  share of the cell, from its upper edge
+  Row(const Bicubic& cell, double v);
+  /// @param u  share of the cell, from its left edge
+  void tell(double u, Arrival& arrival) const;
+
+ private:
+  const Bicubic& cell_;
+  Cubic cubic_;
 };
 
 /// The lattice over one tile. Its nodes, and what is decided about its cells, depend on their place
@@ -60,60 +79,67 @@ class Lattice {
   /// Borrows both.
   Lattice(const World& world, const BeamGuard& guard, const Window& tile);
 
-  /// Where camera photons arrive.
-  /// @param photons  where they begin is not looked at: it follows from their places
-  /// @param places   of the photons on the film, within the tile
-  void advance(std::span<const Photon> photons, std::span<const FilmPlace> places,
-               std::span<Arrival> arrivals, Tally& tally);
+  /// Forgets everything, for another tile. Fresh memory costs more than what is done in it.
+  void lay_over(const Window& tile);
+
+  /// Where the photons of camera samples arrive.
+  /// @param places  of the samples on the film, within the tile
+  void advance(std::span<const FilmPlace> places, std::span<Arrival> arrivals, Tally& tally);
 
  private:
-  struct Node {
-    bool known = false;
-    Arrival arrival;
-    Trail trail;
-  };
+  static constexpr std::uint32_t none = 0xffffffff;
+
   struct Cell {
     bool decided = false;
-    std::unique_ptr<const Bicubic> smooth;
+    std::uint32_t smooth = none;  ///< which polynomial
   };
   /// Cells of one size: their column and row are counted from that of the first.
   struct Level {
-    int stride;  ///< nodes from corner to corner
-    int first_column, first_row, columns, rows;
-    std::vector<Cell> cells;
-  };
+    int stride = 1;  ///< nodes from corner to corner
+    int first_column = 0, first_row = 0, columns = 0, rows = 0;
+    std::vector<Cell> cells{};
 
-  [[nodiscard]] static Level level(const Window& tile, int stride);
-  [[nodiscard]] Node& node(int column, int row) {
-    return nodes_[static_cast<std::size_t>(row - first_row_) * columns_ +
-                  static_cast<std::size_t>(column - first_column_)];
-  }
+    void lay_over(const Window& tile);
+  };
   /// A sample in its cell.
   struct Spot {
-    std::uint32_t sample;
     std::uint32_t cell;
     double u, v;  ///< shares of the cell, from its upper left corner
   };
 
-  [[nodiscard]] static Spot spot_in(const Level& level, const FilmPlace& place,
-                                    std::uint32_t sample);
-  void settle(Level& level, const std::vector<Spot>& spots, Tally& tally);
-  void send_guides(const Level& level, const std::vector<std::size_t>& cells, Tally& tally);
-  void decide(Level& level, std::size_t cell);
+  /// Which guide is at a node.
+  [[nodiscard]] std::uint32_t& node(int column, int row) {
+    return nodes_[static_cast<std::size_t>(row - first_row_) * columns_ +
+                  static_cast<std::size_t>(column - first_column_)];
+  }
+  [[nodiscard]] static Spot spot_in(const Level& level, const FilmPlace& place);
+  void settle(Level& level, std::span<const FilmPlace> places, Tally& tally);
+  void send_guides(const Level& level, Tally& tally);
+  void decide(Level& level, std::uint32_t cell);
+  [[nodiscard]] const PixelSpan& pixel_at(int column, int row);
   /// At the corner of the cell where it is least.
-  [[nodiscard]] PixelSpan pixel_in(const Level& level, int column, int row) const;
-  /// @return the samples that could not be
-  [[nodiscard]] std::vector<std::uint32_t> interpolate(const Level& level,
-                                                       const std::vector<Spot>& spots,
-                                                       std::span<Arrival> arrivals) const;
+  [[nodiscard]] PixelSpan pixel_in(const Level& level, int column, int row);
+  /// Keeps in `left_` the samples that could not be.
+  void interpolate(const Level& level, std::span<const FilmPlace> places,
+                   std::span<Arrival> arrivals);
+  void send_left(std::span<const FilmPlace> places, std::span<Arrival> arrivals);
 
   const World& world_;
   const BeamGuard& guard_;
   FilmCamera view_;
-  Level coarse_, fine_;
-  int first_column_, first_row_;
-  std::size_t columns_;
-  std::vector<Node> nodes_;
+  Level coarse_{2}, fine_{1};
+  int first_column_ = 0, first_row_ = 0;
+  std::size_t columns_ = 0;
+  std::vector<std::uint32_t> nodes_;
+  std::vector<Photon> guides_;
+  std::vector<PixelSpan> pixels_;  ///< of the guides; less than 0 until they are asked for
+  std::vector<Arrival> arrivals_;  ///< of the guides
+  std::vector<Trail> trails_;      ///< of the guides, and room for more
+  std::vector<Bicubic> smooth_;
+  std::vector<std::uint32_t> left_;       ///< samples that are not answered yet
+  std::vector<std::uint32_t> undecided_;  ///< cells
+  std::vector<Photon> own_;               ///< photons of such samples
+  std::vector<Arrival> found_;
 };
 
 }  // namespace portalens

@@ -23,7 +23,8 @@ constexpr std::uint64_t most_layer_pixels = 4096;
 /// What one tile at a time is taken in.
 struct TileRoom {
   WaveRoom carried;
-  std::vector<FilmPlace> places;  ///< of the camera photons
+  std::optional<Lattice> lattice;  ///< of the tile that is taken; only where there is a guard
+  std::vector<FilmPlace> places;   ///< of the camera photons
   std::vector<Rgb> light;
   std::vector<std::uint32_t> lost;
   std::vector<PixelSample> lost_places;
@@ -76,7 +77,11 @@ class TileTaker {
     TileProgress progress = shared.exposure.progress(tile);
     done_ = progress.done;
     sum_ = SampleSum(work_.begun(done_, assignment_.range), progress.sums);
-    if (shared.guard) lattice_.emplace(world_, *shared.guard, work_.tile);
+    if (!shared.guard) return;
+    if (room_->lattice)
+      room_->lattice->lay_over(work_.tile);
+    else
+      room_->lattice.emplace(world_, *shared.guard, work_.tile);
   }
   TileTaker(const TileTaker&) = delete;
   TileTaker& operator=(const TileTaker&) = delete;
@@ -108,8 +113,8 @@ class TileTaker {
     send_camera_photons(count);
     bool from_camera = true;
     const auto travel = [&](std::span<const Photon> photons, std::span<Arrival> arrivals) {
-      if (std::exchange(from_camera, false) && lattice_)
-        lattice_->advance(photons, room_->places, arrivals, tally);
+      if (std::exchange(from_camera, false) && room_->lattice)
+        room_->lattice->advance(room_->places, arrivals, tally);
       else
         advance(world_.space, photons, arrivals, shared_.engine);
     };
@@ -197,7 +202,7 @@ class TileTaker {
       photon.random_key = random ? source.random_key(at) : 0;
       photon.departure = {};
     }
-    if (lattice_) return;  // it sends few
+    if (room_->lattice) return;  // it sends few
     // By themselves: while one ray waits for its root, the next are begun.
     for (std::uint64_t i = 0; i < count; ++i) {
       const Ray ray = source.ray(places[i]);
@@ -214,7 +219,6 @@ class TileTaker {
   std::uint64_t done_ = 0;
   SampleSum sum_;
   std::unique_ptr<TileRoom> room_;
-  std::optional<Lattice> lattice_;
 };
 
 /// Empty channels of that many pixels for the layers.

@@ -85,8 +85,7 @@ Found found_in(const World& world) {
   found.interpolated.resize(photons.size());
   advance(world.space, photons, found.own);
   const auto guard = BeamGuard::over(world.space);
-  Lattice(world, *guard, {0, 0, side, side})
-      .advance(photons, places, found.interpolated, found.tally);
+  Lattice(world, *guard, {0, 0, side, side}).advance(places, found.interpolated, found.tally);
   return found;
 }
 
