@@ -39,6 +39,10 @@ class LaneDriver {
       for (; events != 0; events &= events - 1) {
         const int lane = std::countr_zero(events);
         const auto event = static_cast<LaneEvent>(static_cast<int>(lanes_.event[lane]));
+        if (event == LaneEvent::cross) {
+          if (!trails_.empty()) note_passage(lane);
+          continue;
+        }
         const bool stayed = event == LaneEvent::escape || event == LaneEvent::consult;
         handle(lane, event, stayed && (was_fresh >> lane & 1) != 0);
       }
@@ -77,10 +81,12 @@ class LaneDriver {
     }
     const PathStart start = whole ? PathStart{photons_[index].departure} : starts_[lane];
     const Travel way{state, start.after(arrival.length - begun), arrival};
+    if (!trails_.empty() && event == LaneEvent::horizon && object >= most_lane_masses)
+      note_passage(lane);
     if (!trails_.empty()) note_place(lane, state);
     scalar_.resume(way);
     const bool arrived = event == LaneEvent::portal    ? meet_portal(way, object)
-                         : event == LaneEvent::horizon ? scalar_.absorb(object)
+                         : event == LaneEvent::horizon ? scalar_.absorb(plan_.mass_of(object))
                                                        : scalar_.one_step();
     if (arrived) {
       arrival = scalar_.way().arrived();
@@ -94,6 +100,15 @@ class LaneDriver {
       if (!trails_.empty()) note_place(lane, scalar_.way().state);
       put_back(lane, scalar_.way(), scalar_.free_length());
     }
+  }
+
+  /// Its way through the influence of a lone mass, which it has just left or ended in.
+  void note_passage(int lane) {
+    const auto object = static_cast<std::uint32_t>(lanes_.object[lane]);
+    const LoneMass& lone = plan_.lone.masses[object - most_lane_masses];
+    Trail& trail = trails_[photon_[lane]];
+    note_crossing(space_.masses[lone.mass], plan_.lone.tables[lone.table], state_of(lane),
+                  lanes_.length[lane], lanes_.turning[lane], trail);
   }
 
   /// Where lane `lane` is, at the length that its arrival tells.

@@ -14,9 +14,12 @@ namespace {
 /// Builds the tree of gates that `closest-point` recurses through.
 class GatePlanner {
  public:
-  GatePlanner(const Space& space, const ClosestPointCoupling& coupling, Vec3d center,
-              LaneScene& scene)
-      : space_(space), coupling_(coupling), center_(center), scene_(scene) {}
+  GatePlanner(const Space& space, const ClosestPointCoupling& coupling, LanePlan& plan)
+      : space_(space),
+        coupling_(coupling),
+        center_(plan.center),
+        masses_(plan.stepped),
+        scene_(plan.scene) {}
 
   /// False if there is not room enough.
   [[nodiscard]] bool plan() { return add(coupling_.depth(), -1, no_portal, nullptr); }
@@ -64,8 +67,9 @@ class GatePlanner {
     gate.tolerance = static_cast<float>(portal.height_tolerance());
     gate.reach = static_cast<float>(reach);
     gate.reach2 = gate.reach * gate.reach;
-    for (std::size_t i = 0; i < space_.masses.size(); ++i) {
-      const Vec3d seen = beyond.to_local(space_.masses[i].center);
+    // Lone masses reach no portal.
+    for (std::size_t i = 0; i < masses_.size(); ++i) {
+      const Vec3d seen = beyond.to_local(space_.masses[masses_[i]].center);
       gate.images[i] = narrow({-seen.x, seen.y, -seen.z});
     }
   }
@@ -73,6 +77,7 @@ class GatePlanner {
   const Space& space_;
   const ClosestPointCoupling& coupling_;
   Vec3d center_;
+  const std::vector<std::uint32_t>& masses_;
   LaneScene& scene_;
 };
 
@@ -191,7 +196,7 @@ void add_maps(const Space& space, const GravitonMapCoupling& coupling, LanePlan&
 
 bool add_coupling(const Space& space, LanePlan& plan) {
   if (const auto* closest = std::get_if<ClosestPointCoupling>(&space.coupling))
-    return GatePlanner(space, *closest, plan.center, plan.scene).plan();
+    return GatePlanner(space, *closest, plan).plan();
   if (const auto* map = std::get_if<GravitonMapCoupling>(&space.coupling))
     return add_maps(space, *map, plan), true;
   if (const auto* shortest = std::get_if<ShortestPathCoupling>(&space.coupling))

@@ -18,10 +18,44 @@ constexpr double longest_with_portals = 0.88;
 /// Floats can't keep a finer one.
 constexpr double finest_tolerance = 1e-5;
 
-void add_masses(const Space& space, Vec3d center, LaneScene& scene) {
-  for (const Mass& mass : space.masses) {
+/// The lone masses, and all others.
+/// @return false if there is not room enough
+bool choose_masses(const Space& space, double graze, LanePlan& plan) {
+  if (space.masses.size() > most_lane_masses + most_lane_lone_masses) return false;
+  plan.lone = lone_masses(space, graze, most_lane_lone_masses);
+  auto next = plan.lone.masses.begin();
+  for (std::uint32_t i = 0; i < space.masses.size(); ++i) {
+    if (next != plan.lone.masses.end() && next->mass == i)
+      ++next;
+    else
+      plan.stepped.push_back(i);
+  }
+  return plan.stepped.size() <= most_lane_masses;
+}
+
+void add_lone_masses(const Space& space, LanePlan& plan) {
+  for (const LoneMass& lone : plan.lone.masses) {
+    const Mass& mass = space.masses[lone.mass];
+    const CrossingTable& table = plan.lone.tables[lone.table];
+    const CrossingRange<double>& range = table.range();
+    const auto influence = static_cast<float>(mass.influence);
+    plan.scene.lone[plan.scene.lone_count++] = {
+        narrow(mass.center - plan.center),
+        influence,
+        influence * influence,
+        static_cast<float>(1.0 / mass.influence),
+        static_cast<float>(mass.schwarzschild),
+        {static_cast<float>(range.capture), static_cast<float>(range.scale),
+         static_cast<float>(range.stretch)},
+        table.cells().data()};
+  }
+}
+
+void add_masses(const Space& space, const LanePlan& plan, LaneScene& scene) {
+  for (const std::uint32_t i : plan.stepped) {
+    const Mass& mass = space.masses[i];
     LaneMass& lane = scene.masses[scene.mass_count++];
-    lane.center = narrow(mass.center - center);
+    lane.center = narrow(mass.center - plan.center);
     lane.gm = static_cast<float>(gravitational_radius(mass.gm, space.physics.c));
     lane.core2 = static_cast<float>(mass.core * mass.core);
     lane.influence = static_cast<float>(mass.influence);
@@ -133,14 +167,17 @@ double radius_about(const Space& space, Vec3d center) {
 
 std::unique_ptr<const LanePlan> plan_lanes(const Space& space) {
   const Physics& physics = space.physics;
-  if (physics.integrator != Radau::name || physics.tolerance < finest_tolerance ||
-      space.unbounded || space.masses.size() > most_lane_masses)
+  if (physics.integrator != Radau::name || physics.tolerance < finest_tolerance || space.unbounded)
     return nullptr;
   auto plan = std::make_unique<LanePlan>();
+  const double overshoot = 1e-6 * space.extent, graze = 4.0 * overshoot;
+  if (!choose_masses(space, graze, *plan)) return nullptr;
   plan->scene = {};
   plan->center = center_of(space);
   LaneScene& scene = plan->scene;
-  add_masses(space, plan->center, scene);
+  scene.graze2 = static_cast<float>(graze * graze);
+  add_masses(space, *plan, scene);
+  add_lone_masses(space, *plan);
   if (!add_portals(space, plan->center, scene)) return nullptr;
   if (!add_coupling(space, *plan)) return nullptr;
   add_surfaces(space, plan->center, scene);
@@ -150,7 +187,7 @@ std::unique_ptr<const LanePlan> plan_lanes(const Space& space) {
   const bool through_portals = scene.gate_count + scene.map_count + scene.way_count > 0;
   scene.nearness_weight = static_cast<float>(
       step.nearness_weight / (through_portals ? std::pow(longest_with_portals, 4) : 1.0));
-  scene.overshoot = static_cast<float>(1e-6 * space.extent);
+  scene.overshoot = static_cast<float>(overshoot);
   scene.ahead = scene.overshoot;
   scene.farthest = static_cast<float>(2.0 * space.extent);
   const double radius = radius_about(space, plan->center);

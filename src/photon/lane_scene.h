@@ -7,6 +7,8 @@
 
 #include <cstdint>
 
+#include "gravity/crossing_formulas.h"
+
 namespace portalens {
 
 struct LaneVec {
@@ -25,11 +27,22 @@ struct LaneMass {
 };
 
 inline constexpr int most_lane_masses = 8;
+/// Those that are crossed by table, besides.
+inline constexpr int most_lane_lone_masses = 128;
 inline constexpr int most_lane_gates = 20;
 inline constexpr int most_lane_portals = 8;
 inline constexpr int most_lane_polygons = 48;
 inline constexpr int most_lane_spheres = 24;
 inline constexpr int most_lane_boxes = 24;
+
+/// A mass that is alone in its influence.
+struct LaneLone {
+  LaneVec center;
+  float influence, influence2, per_influence;
+  float horizon;  ///< r_s
+  CrossingRange<float> range;
+  const float* cells;  ///< of its `CrossingTable`
+};
 
 /// One way through a portal in the recursion of `closest-point`: a rectangle in its own plane, and
 /// the masses as they are seen through it. Local coordinates are (right, up, normal) of the
@@ -116,11 +129,12 @@ struct LaneBox {
 
 struct LaneScene {
   int mass_count, gate_count, map_count, entrance_count, way_count, portal_count, polygon_count,
-      sphere_count, box_count;
+      sphere_count, box_count, lone_count;
   float stiffness_weight, nearness_weight;  ///< of the step, see Radau
   float ahead;         ///< the place that decides what acts lies this far ahead
   float overshoot;     ///< a step ends this far past a boundary
   float farthest;      ///< no step in the field is longer
+  float graze2;        ///< square of half a chord: who grazes a lone mass by less is not turned
   float radius;        ///< all there is lies in a ball of that about the centre
   float flight_limit;  ///< floats are too coarse for a flight that begins further out
   float max_length, max_turning, max_steps;
@@ -133,6 +147,7 @@ struct LaneScene {
   LanePolygon polygons[most_lane_polygons];
   LaneSphere spheres[most_lane_spheres];
   LaneBox boxes[most_lane_boxes];
+  LaneLone lone[most_lane_lone_masses];
 };
 
 inline constexpr int lane_count = 32;  ///< as many as `LaneStep` has bits
@@ -143,7 +158,8 @@ enum class LaneEvent : std::int32_t {
   escape,   ///< nothing acts here and nothing lies ahead (the step was not taken)
   hit,      ///< a surface: `object` is the polygon's or sphere's shape
   portal,   ///< a portal's front or back: `object` is the portal
-  horizon,  ///< `object` is the mass
+  horizon,  ///< `object` is the mass; `most_lane_masses` and on are the lone ones
+  cross,    ///< crossed the influence of a lone mass and goes on: `object` as for `horizon`
   consult,  ///< something may be near that lanes can't judge (the step was not taken)
   limit,    ///< too many steps, too long, turned too far, or no number any more
 };

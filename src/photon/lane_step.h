@@ -3,6 +3,7 @@
 #pragma once
 
 #include "photon/lane_coupled.h"
+#include "photon/lane_crossing.h"
 #include "photon/lane_field.h"
 #include "photon/lane_graviton_map.h"
 #include "photon/lane_path.h"
@@ -49,7 +50,13 @@ class LaneStepper {
     const Mask flies = !field.acting;
     const R most = longest(x, start, flies);
     const R border = field.boundary(x, t, bend, most);
-    const R h = min(most, border + R(scene_.overshoot));
+    const LaneCrossing<R> lone(scene_, x, t);
+    R h = min(most, border + R(scene_.overshoot));
+    Mask enters = R(1) < R(0);
+    if (scene_.lone_count > 0) {
+      enters = flies & (lone.reach < h);
+      h = select(enters, lone.reach, h);
+    }
     const auto acceleration = [&](V place) { return field.acceleration(place); };
     const StateOf<R> here{x, t};
     const Bends<R> bends = Radau::bends(acceleration, here, start.acceleration, h);
@@ -64,13 +71,16 @@ class LaneStepper {
     find_portals(path, end, found);
     find_polygons(path, end, found, doubtful);
     find_spheres(path, found);
-    const R clear = read(lanes_.clear) - h;
+    R clear = read(lanes_.clear) - h;
     find_boxes(path, end, clear, doubtful);
+    if (scene_.lone_count > 0)
+      doubtful = select((flies & lone.inside) | (enters & may_end_within()), R(1), doubtful);
 
     const Mask consults = live & (doubtful > R(0));
     find_change(path, end, field, live & !consults, found);
     const Mask ends = (found.share <= R(1)) & live & !consults;
-    const Mask escapes = live & flies & (border >= R(never)) & !(found.share <= R(1)) & !consults;
+    const Mask crosses = live & enters & !consults & !ends;
+    const Mask escapes = live & flies & !enters & (border >= R(never)) & !ends & !consults;
     const Mask stays = consults | escapes | !live;
 
     V x1 = end.position, t1 = end.direction;
@@ -83,6 +93,17 @@ class LaneStepper {
       angle = angle * u;
       x1 = choose(ends, path.place.at(u), x1);
       t1 = choose(ends, unit(path.place.slope(u) * (R(1) / h)), t1);
+    }
+    R crossed(0);
+    if (any(crosses)) {
+      const auto passage = lone.pass(crosses);
+      x1 = choose(crosses, passage.place, x1);
+      t1 = choose(crosses, passage.direction, t1);
+      length = length + passage.length;
+      angle = angle + passage.turning;
+      clear = clear - passage.length;
+      crossed = select(passage.captured > R(0), code(LaneEvent::horizon), code(LaneEvent::cross));
+      found.object = select(crosses, passage.object, found.object);
     }
     write(lanes_.x, stays, x.x, x1.x);
     write(lanes_.y, stays, x.y, x1.y);
@@ -98,6 +119,8 @@ class LaneStepper {
     const Mask within = (travelled <= R(scene_.max_length)) & (turning <= R(scene_.max_turning)) &
                         (steps <= R(scene_.max_steps));
     R event = select(live & !within, code(LaneEvent::limit), R(0));
+    event =
+        select(crosses & ((event == R(0)) | (crossed == code(LaneEvent::horizon))), crossed, event);
     event = select(ends, found.event, event);
     event = select(escapes, code(LaneEvent::escape), event);
     event = select(consults, code(LaneEvent::consult), event);
@@ -120,6 +143,13 @@ class LaneStepper {
   [[nodiscard]] static R code(LaneEvent event) { return R(static_cast<int>(event)); }
   [[nodiscard]] static V choose(Mask which, V a, V b) {
     return {select(which, a.x, b.x), select(which, a.y, b.y), select(which, a.z, b.z)};
+  }
+
+  /// Whether a way may reach a limit before it has crossed the influence of a lone mass.
+  [[nodiscard]] Mask may_end_within() const {
+    constexpr double most_turned = 1.6;  // by one mass
+    return (read(lanes_.length) + R(scene_.farthest) > R(scene_.max_length)) |
+           (read(lanes_.turning) + R(most_turned) > R(scene_.max_turning));
   }
 
   /// How long a step may be before borders cut it: what the field allows, or, where nothing acts,

@@ -4,7 +4,7 @@
 
 #include "gravity/attraction.h"
 #include "gravity/portal_scenes.h"
-#include "gravity/quadrature.h"
+#include "math/quadrature.h"
 #include "support/scale.h"
 
 namespace portalens::test {
