@@ -28,6 +28,16 @@ template <class Real>
   return Real(0.1) + Real(10.0) * m2 / (b2 + Real(2.0) * m2);
 }
 
+/// How much a mass's nearness shortens steps, by the cosine of the angle between the path and the
+/// way to it: a step away from a mass sees its field change the less the longer it is, one towards
+/// it the more. It is 1 straight towards it, and lets a step across be 1.4 times as long, one away
+/// 2.5 times. Measured, as what leaves the error at the end as it is with the fewest steps.
+template <class Real>
+[[nodiscard]] Real approach_weight(Real cosine) {
+  const Real share = Real(0.7) + Real(0.3) * cosine;
+  return (share * share) * (share * share);
+}
+
 /// Stands for `path_weight` where a mass acts through a portal: light can't come near it.
 inline constexpr double distant_weight = 0.3;
 

@@ -30,7 +30,7 @@ struct Surroundings {
 struct Bending {
   Vec3d acceleration;      ///< 1/length: dt/ds before its part along t is removed
   double stiffness = 0.0;  ///< Σ w m / d⁵ with w = path_weight, 1/length⁴
-  double nearness = 0.0;   ///< Σ 1 / d⁴, 1/length⁴
+  double nearness = 0.0;   ///< Σ v / d⁴ with v = approach_weight, 1/length⁴
 };
 
 /// Field of one scene with one coupling. Borrows the masses, their tree and the coupling.
@@ -61,11 +61,12 @@ class Field {
       const Vec3d to_mass = mass.center - x;
       const double q = dot(to_mass, to_mass) + mass.core * mass.core;
       const double inverse2 = 1.0 / q;
-      const double pull = mass.gm * inverse_c2_ * inverse2 * std::sqrt(inverse2);
+      const double inverse = std::sqrt(inverse2);
+      const double pull = mass.gm * inverse_c2_ * inverse2 * inverse;
       sum.acceleration += to_mass * pull;
       const double along = dot(to_mass, t), m = mass.gm * inverse_c2_;
       sum.stiffness += pull * inverse2 * path_weight(m * m, q - along * along);
-      sum.nearness += inverse2 * inverse2;
+      sum.nearness += inverse2 * inverse2 * approach_weight(along * inverse);
     }
     if (frozen.quiet == 0.0) {
       const Pull through = coupling_.pull(x, frozen.anchor);

@@ -58,13 +58,12 @@ template <class R>
   const R root = square * inverse_sqrt(max(square, R(1e-30)));
   const R s = ahead + select(outside < R(0), root, -root);
   // |at|² - R² = outside - 2 ahead s + (1 - inward) s² + bend2 s⁴/4, and one step of Newton's
-  // method on it.
-  const R open = R(1) - inward, curl = bend2 * R(0.25) * s * s;
-  const R height = outside + s * (s * (open + curl) - R(2) * ahead);
-  const R slope = R(2) * (s * (open + R(2) * curl) - ahead);
-  const R better = s - height / slope;
-  const auto trusted = (abs(better - s) < abs(s) * R(0.5)) & (better > R(0));
-  return select((square > R(0)) & (s > R(0)), select(trusted, better, s), R(never));
+  // method on it; all but what is written here is 0 at s.
+  const R s2 = s * s, curl = bend2 * R(0.25) * s2;
+  const R slope = (s - ahead) + s * (R(2) * curl - inward);
+  const R more = s2 * (inward - curl) * R(0.5) / slope;
+  const auto trusted = abs(more) < abs(s) * R(0.5);
+  return select((square > R(0)) & (s > R(0)), select(trusted, s + more, s), R(never));
 }
 
 }  // namespace portalens

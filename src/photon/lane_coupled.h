@@ -36,6 +36,7 @@ struct LaneCoupled {
     return through.first_change(which, path, end);
   }
   [[nodiscard]] R distance2(int mass) const { return direct.distance2(mass); }
+  [[nodiscard]] R ahead(int mass) const { return direct.ahead(mass); }
   static constexpr bool sees_borders_far_off = Through::sees_borders_far_off;
 
   [[nodiscard]] R boundary(Vec3<R> x, Vec3<R> t, Vec3<R> bend, R limit) const {

@@ -48,6 +48,8 @@ struct LaneField {
 
   /// Square of the distance of a mass from the step's start.
   [[nodiscard]] R distance2(int mass) const { return squares[mass]; }
+  /// How far ahead of it the mass is.
+  [[nodiscard]] R ahead(int mass) const { return along[mass]; }
 
   /// What a step of the direction `t` is chosen from, and its first acceleration.
   [[nodiscard]] LaneBending<R> bending(Vec3<R> x, Vec3<R> t) const {
@@ -58,7 +60,8 @@ struct LaneField {
       const R b2 = squares[i] + core2 - along[i] * along[i];
       const Source source = pull_of(squares[i] + core2, inside[i]);
       sum.acceleration += (spread<R>(mass.center) - x) * source.pull;
-      add(sum, source, inside[i], path_weight(m2, max(b2, R(0))));
+      add(sum, source, inside[i], path_weight(m2, max(b2, R(0))),
+          approach_weight(along[i] * source.inverse));
     }
     if (scene.gate_count > 0) sum.acceleration += bending_of_gates(x, t, sum);
     return sum;
@@ -152,13 +155,13 @@ struct LaneField {
   }
 
   struct Source {
-    R inverse2, pull;  ///< 1/d² and m/d³
+    R inverse, inverse2, pull;  ///< 1/d, 1/d² and m/d³
   };
 
   [[nodiscard]] static Source pull_of(R d2, R gm) {
     const R inverse = inverse_sqrt(d2);
     const R inverse2 = inverse * inverse;
-    return {inverse2, gm * inverse2 * inverse};
+    return {inverse, inverse2, gm * inverse2 * inverse};
   }
 
   /// What comes through the gates depends on where the points of their rectangles are, not on where
@@ -182,9 +185,10 @@ struct LaneField {
     });
   }
 
-  static void add(LaneBending<R>& sum, const Source& source, R gm, R weight) {
+  static void add(LaneBending<R>& sum, const Source& source, R gm, R weight, R approach) {
     sum.stiffness = sum.stiffness + source.pull * source.inverse2 * weight;
-    sum.nearness = sum.nearness + select(gm > R(0), source.inverse2 * source.inverse2, R(0));
+    sum.nearness =
+        sum.nearness + select(gm > R(0), source.inverse2 * source.inverse2 * approach, R(0));
   }
 
   /// What comes through the gates; `tell` hears of every mass seen through one.

@@ -14,7 +14,7 @@ namespace {
 
 /// Lanes find the borders of what comes through portals less exactly than the scalar engine: there
 /// no step may be as long, as a share of the longest elsewhere.
-constexpr double longest_with_portals = 0.88;
+constexpr double longest_with_portals = 0.85;
 /// Floats can't keep a finer one.
 constexpr double finest_tolerance = 1e-5;
 

@@ -67,7 +67,7 @@ class LaneStepper {
     LaneFinding<R> found;
     R doubtful = select(
         flies & (span(x) > R(F::sees_borders_far_off ? scene_.flight_limit : -1.0f)), R(1), R(0));
-    find_horizons(path, field, found);
+    find_horizons(path, end, field, found);
     find_portals(path, end, found);
     find_polygons(path, end, found, doubtful);
     find_spheres(path, found);
@@ -171,21 +171,34 @@ class LaneStepper {
     found.offer(change <= R(1), change + over / path.h, LaneEvent::none, R(-1));
   }
 
-  void find_horizons(const LanePath<R>& path, const F& field, LaneFinding<R>& found) const {
+  void find_horizons(const LanePath<R>& path, const StateOf<R>& end, const F& field,
+                     LaneFinding<R>& found) const {
     for (int i = 0; i < scene_.mass_count; ++i) {
       const LaneMass& mass = scene_.masses[i];
       if (mass.horizon < 0.0f) continue;
-      const R reach = path.h + R(mass.horizon);
-      if (!any(field.distance2(i) < reach * reach)) continue;
+      // Straight on, as far as it may stray from that.
+      const R ahead = field.ahead(i), distance2 = field.distance2(i);
+      const R reach = path.h + R(mass.horizon), aside = path.stray + R(mass.horizon);
+      const Mask towards = (ahead > R(0)) & (distance2 < reach * reach) &
+                           (distance2 * R(0.999999) - ahead * ahead < aside * aside);
+      if (!any(towards)) continue;
       const V center = spread<R>(mass.center);
-      const V from = path.place.c0 - center;
-      if (!any(path.may_touch(from, R(mass.horizon)))) continue;
+      const V last = end.position - center;
+      const R last2 = dot(last, last);
+      Mask falls = towards & (last2 <= R(mass.horizon2));
       const LaneDistance<R> outside{path, center, R(mass.horizon2)};
-      const R nearest = outside.nearest();
-      const R inside = select(outside.at(nearest) <= R(0), nearest, R(1));
-      const Mask falls = (outside.at(inside) <= R(0)) & (dot(from, path.place.c1) < R(0));
+      R inside(1);
+      // Not at its end, but where it is nearest.
+      const Mask passes = towards & !falls & (ahead < reach);
+      if (any(passes)) {
+        const R nearest = outside.nearest();
+        inside = select(passes, nearest, inside);
+        falls = falls | (passes & (outside.at(nearest) <= R(0)));
+      }
       if (!any(falls)) continue;
-      const R guess = outside.surface_from(inside, R(-1));
+      // As if it came nearer evenly.
+      const R from = sqrt(distance2), to = min(sqrt(last2), R(mass.horizon));
+      const R guess = inside * (from - R(mass.horizon)) / select(falls, from - to, R(1));
       found.offer(falls, crossing(falls, outside, guess, R(1), R(0), inside), LaneEvent::horizon,
                   R(i));
     }

@@ -108,12 +108,12 @@ struct Bends {
 /// evaluation of the field. On a nearly straight way that leaves the error of the quadrature, of
 /// seventh order; what a way's own bend feeds back into it is of fourth. No step is ever rejected
 /// for its error: the length
-///     h = (Σ w m d⁻⁵ / η⁴ + Σ d⁻⁴ / λ⁴)^(-1/4)
+///     h = (Σ w m d⁻⁵ / η⁴ + Σ v d⁻⁴ / λ⁴)^(-1/4)
 /// at distances d from masses spreads it evenly over the path. η⁴ is a multiple of the tolerance:
 /// the first sum keeps what is fed back below it. The second keeps a step shorter than λ times the
 /// distance, since how well a quadrature follows the field depends on h/d alone; so λ goes as the
 /// seventh root of the tolerance. Near capture a path magnifies every error made on the way: hence
-/// the weight w, `path_weight`.
+/// the weight w, `path_weight`. What is left behind soon weighs little: hence v, `approach_weight`.
 struct Radau {
   static constexpr std::string_view name = "adaptive";
   static constexpr bool fixed_step = false;
@@ -127,7 +127,7 @@ struct Radau {
     return {1.0 / (error_share * settings.tolerance), 1.0 / std::pow(longest, 4)};
   }
 
-  /// @param stiffness  Σ w m d⁻⁵, nearness  Σ d⁻⁴, both 1/length⁴
+  /// @param stiffness  Σ w m d⁻⁵, nearness  Σ v d⁻⁴, both 1/length⁴
   template <class Real>
   [[nodiscard]] static Real propose(Real stiffness, Real nearness, Real stiffness_weight,
                                     Real nearness_weight) {
