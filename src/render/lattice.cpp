@@ -15,8 +15,11 @@ namespace {
 /// Pixels between two nodes.
 constexpr int spacing = 4;
 /// Third differences of what guides find, pixels: those of a function that is a polynomial of the
-/// third degree but for hundredths of a pixel.
-constexpr double most_third_difference = 0.5;
+/// third degree but for hundredths of a pixel. What masses do by themselves is smooth between the
+/// borders that the guard looks for; gravity through portals bends sharply at more than those.
+double most_third_difference(const Space& space) {
+  return std::holds_alternative<NoCoupling>(space.coupling) ? 3.0 : 0.5;
+}
 
 int floor_of(int a, int b) { return a >= 0 ? a / b : -((b - 1 - a) / b); }
 
@@ -239,7 +242,7 @@ void Lattice::decide(Level& level, std::uint32_t index) {
       if (!trail.known() || trail.portals() != first.portals()) return;
     }
   const bool smooth = smooth_.emplace_back().through(
-      world_.space, guides, pixel_in(level, column, row), most_third_difference);
+      world_.space, guides, pixel_in(level, column, row), most_third_difference(world_.space));
   if (smooth && guard_.clear({&first, &trails_[at(2, 1)], &trails_[at(1, 2)], &trails_[at(2, 2)]},
                              *guides[1][1]))
     level.cells[index].smooth = static_cast<std::uint32_t>(smooth_.size() - 1);
