@@ -148,8 +148,6 @@ Quad::Quad(std::span<const Vec3d> vertices, std::span<const TextureCoordinates> 
   if (count_ == 4) skew_ = flat(vertices[0] - vertices[1] + (vertices[2] - vertices[3]));
 }
 
-TextureCoordinates Quad::flat(Vec3d d) const { return {dot(d, right_), dot(d, up_)}; }
-
 Box Quad::bounds() const {
   Box box;
   for (const Vec3d& vertex : vertices()) box.add(vertex);
@@ -171,11 +169,8 @@ TextureCoordinates Quad::own_coordinates(TextureCoordinates p) const {
 }
 
 SurfacePoint Quad::surface_at(Vec3d x, std::uint32_t) const {
-  SurfacePoint point;
-  point.position = x - normal_ * dot(x - vertices_[0], normal_);
-  point.normal = point.geometric_normal = normal_;
-  const TextureCoordinates local = flat(x - vertices_[0]);
-  const auto [s, t] = own_coordinates(local);
+  SurfacePoint point = place_at(x);
+  const auto [s, t] = own_coordinates({point.along, point.across});
   const std::array<double, 4> weights =
       count_ == 4
           ? std::array<double, 4>{(1.0 - s) * (1.0 - t), s * (1.0 - t), s * t, (1.0 - s) * t}
@@ -184,9 +179,6 @@ SurfacePoint Quad::surface_at(Vec3d x, std::uint32_t) const {
     point.u += weights[i] * texture_coordinates_[i][0];
     point.v += weights[i] * texture_coordinates_[i][1];
   }
-  point.flat = true;
-  point.along = local[0];
-  point.across = local[1];
   return point;
 }
 

@@ -38,6 +38,17 @@ class Quad {
   [[nodiscard]] Box bounds() const;
   [[nodiscard]] std::optional<Contact> intersect(const Ray& ray, double low, double high) const;
   [[nodiscard]] SurfacePoint surface_at(Vec3d x, std::uint32_t face) const;
+  /// The same without its texture coordinates, which take long.
+  [[nodiscard]] SurfacePoint place_at(Vec3d x) const {
+    SurfacePoint point;
+    point.position = x - normal_ * dot(x - vertices_[0], normal_);
+    point.normal = point.geometric_normal = normal_;
+    const TextureCoordinates local = flat(x - vertices_[0]);
+    point.flat = true;
+    point.along = local[0];
+    point.across = local[1];
+    return point;
+  }
   [[nodiscard]] double clearance(const Segment& segment) const;
   /// The mean of the vertices.
   [[nodiscard]] Vec3d center_of_mass() const;
@@ -46,7 +57,7 @@ class Quad {
 
  private:
   /// A vector of the plane in (right, up).
-  [[nodiscard]] TextureCoordinates flat(Vec3d d) const;
+  [[nodiscard]] TextureCoordinates flat(Vec3d d) const { return {dot(d, right_), dot(d, up_)}; }
   /// From 0 to 1 each way, of a place in (right, up) from the first vertex.
   [[nodiscard]] TextureCoordinates own_coordinates(TextureCoordinates place) const;
 

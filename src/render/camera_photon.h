@@ -2,8 +2,11 @@
 /// The photons that the camera sends: where each sample of a pixel begins.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <tuple>
 
 #include "photon/photon.h"
@@ -23,11 +26,6 @@ struct PixelSample {
   }
 };
 
-/// A point of the film, in pixels from its upper left corner.
-struct FilmPlace {
-  double x = 0.0, y = 0.0;
-};
-
 /// What the photons of a film's samples share, worked out once. Borrows the world.
 class PhotonSource {
  public:
@@ -43,6 +41,19 @@ class PhotonSource {
     return {at.x + u, at.y + v};
   }
   [[nodiscard]] Ray ray(const FilmPlace& place) const { return view_.ray(place.x, place.y); }
+  /// Puts photons on the rays of those places.
+  /// @pre as many of both
+  void send(std::span<const FilmPlace> places, std::span<Photon> photons) const {
+    std::array<Ray, FilmCamera::most_rays> rays;
+    for (std::size_t begin = 0; begin < places.size(); begin += rays.size()) {
+      const auto some = places.subspan(begin, std::min(rays.size(), places.size() - begin));
+      view_.rays(some, rays);
+      for (std::size_t i = 0; i < some.size(); ++i) {
+        photons[begin + i].position = rays[i].origin;
+        photons[begin + i].direction = rays[i].direction;
+      }
+    }
+  }
   [[nodiscard]] std::uint64_t random_key(const PixelSample& at) const {
     return sampler(at).random_key(at.sample);
   }

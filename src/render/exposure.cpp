@@ -25,13 +25,17 @@ Plate::Plate(const Assignment& assignment)
       layers_(channels_ * window_.pixels()) {}
 
 void Plate::set(int x, int y, const SampleSum& sum) {
-  set(x, y, sum.total() / samples_);
+  const Rgb mean = sum.total() / samples_;
+  set(x, y, std::span(&mean, 1));
   if (nodes_ > 0) set_sums(x, y, sum.nodes());
 }
 
-void Plate::set(int x, int y, Rgb sample) {
-  float* const pixel = image_.at(x - window_.x0, y - window_.y0);
-  pixel[0] = as_float(sample.x), pixel[1] = as_float(sample.y), pixel[2] = as_float(sample.z);
+void Plate::set(int x, int y, std::span<const Rgb> samples) {
+  float* pixel = image_.at(x - window_.x0, y - window_.y0);
+  for (const Rgb& sample : samples) {
+    pixel[0] = as_float(sample.x), pixel[1] = as_float(sample.y), pixel[2] = as_float(sample.z);
+    pixel += 3;
+  }
 }
 
 void Plate::restore(int x, int y, std::span<const float> mean, std::span<const Rgb> sums) {

@@ -29,8 +29,9 @@ class Plate {
   /// The pixel's samples, all those of the range.
   /// @pre (x, y) lies in the window
   void set(int x, int y, const SampleSum& sum);
-  /// The only sample of a pixel.
-  void set(int x, int y, Rgb sample);
+  /// The only sample of each of so many pixels of a row, one after the other.
+  /// @pre all of them lie in the window
+  void set(int x, int y, std::span<const Rgb> samples);
   /// The same from the sums as `sums` gave them, and the mean as the picture has it.
   void restore(int x, int y, std::span<const float> mean, std::span<const Rgb> sums);
   [[nodiscard]] std::span<float> layers(int x, int y);

@@ -128,19 +128,28 @@ class TileTaker {
 
   /// Puts what has reached the samples from `done_` on where it belongs.
   void expose_samples() {
+    if (assignment_.samples == 1) return expose_pixels();
     Plate& plate = shared_.exposure.plate();
     PixelSample at = place(done_);
     for (const Rgb& light : room_->light) {
-      if (assignment_.samples == 1) {
-        plate.set(at.x, at.y, light);
-      } else {
-        sum_.add(light);
-        if (at.sample + 1 == assignment_.range.end) {
-          plate.set(at.x, at.y, sum_);
-          sum_.restart(assignment_.range.begin);
-        }
+      sum_.add(light);
+      if (at.sample + 1 == assignment_.range.end) {
+        plate.set(at.x, at.y, sum_);
+        sum_.restart(assignment_.range.begin);
       }
       go_on(at);
+    }
+  }
+
+  /// The same, where each sample is a pixel: row by row.
+  void expose_pixels() {
+    std::span<const Rgb> light = room_->light;
+    for (std::uint64_t at = done_; !light.empty();) {
+      const auto [x, y] = work_.pixel(at);
+      const std::size_t count = std::min(light.size(), static_cast<std::size_t>(work_.tile.x1 - x));
+      shared_.exposure.plate().set(x, y, light.first(count));
+      light = light.subspan(count);
+      at += count;
     }
   }
 
@@ -203,12 +212,7 @@ class TileTaker {
       photon.departure = {};
     }
     if (room_->lattice) return;  // it sends few
-    // By themselves: while one ray waits for its root, the next are begun.
-    for (std::uint64_t i = 0; i < count; ++i) {
-      const Ray ray = source.ray(places[i]);
-      photons[i].position = ray.origin;
-      photons[i].direction = ray.direction;
-    }
+    source.send(places, photons);
   }
 
   Shared& shared_;

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "photon/photon.h"
 
@@ -25,11 +26,20 @@ struct Tally {
   /// and shadow queries.
   double advancing = 0.0, shading = 0.0, shadowing = 0.0;
 
-  void count(const Arrival& arrival) {
-    ++photons;
-    steps += arrival.steps;
-    crossings += arrival.crossings;
-    ++fates[static_cast<std::size_t>(arrival.fate)];
+  /// @return how many are lost
+  std::uint64_t count(std::span<const Arrival> arrivals) {
+    std::array<std::uint64_t, fate_count> ended{};
+    std::uint64_t steps_taken = 0, portals_crossed = 0;
+    for (const Arrival& arrival : arrivals) {
+      steps_taken += arrival.steps;
+      portals_crossed += arrival.crossings;
+      ++ended[static_cast<std::size_t>(arrival.fate)];
+    }
+    photons += arrivals.size();
+    steps += steps_taken;
+    crossings += portals_crossed;
+    for (std::size_t i = 0; i < fates.size(); ++i) fates[i] += ended[i];
+    return ended[static_cast<std::size_t>(Fate::lost)];
   }
   Tally& operator+=(const Tally& other) {
     samples += other.samples;

@@ -45,8 +45,9 @@ inline constexpr double most_presentable = std::numeric_limits<float>::max();
 }
 /// Whether it stays as it is.
 [[nodiscard]] inline bool is_presentable(Rgb light) {
-  const auto small = [](double x) { return std::fabs(x) <= most_presentable; };
-  return small(light.x) && small(light.y) && small(light.z);
+  const double x = std::fabs(light.x), y = std::fabs(light.y), z = std::fabs(light.z);
+  constexpr double most = most_presentable;
+  return x + y + z <= most || (x <= most && y <= most && z <= most);
 }
 
 /// The room that carrying light takes. Whoever carries often keeps it: fresh memory costs more than
@@ -87,10 +88,9 @@ void carry_light(const Space& space, const Appearance& appearance, WaveRoom& roo
       const std::size_t count = std::min(slice, wave.size() - begin);
       const auto photons = std::span<const Photon>(wave).subspan(begin, count);
       const auto arrived = std::span<const Arrival>(arrivals).subspan(begin, count);
-      for (std::size_t i = 0; i < count; ++i) {
-        tally.count(arrived[i]);
-        if (lost && arrived[i].fate == Fate::lost) lost->push_back(photons[i].sample);
-      }
+      if (tally.count(arrived) > 0 && lost)
+        for (std::size_t i = 0; i < count; ++i)
+          if (arrived[i].fate == Fate::lost) lost->push_back(photons[i].sample);
       found.light.clear();
       found.offspring.clear();
       found.shadows.clear();

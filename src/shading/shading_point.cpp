@@ -46,14 +46,23 @@ ShadingPoint point_on_back(const Portal& portal, const Arrival& arrival) {
   return point;
 }
 
+/// The place on its surface, as far as its material asks for it: a checker on a quad needs no u, v.
+SurfacePoint surface_for(const Space& space, const Material& material, const Arrival& arrival) {
+  const auto* quad = std::get_if<Quad>(&space.surfaces.shapes()[arrival.object]);
+  if (quad && !std::holds_alternative<Picture>(material.diffuse))
+    return quad->place_at(arrival.position);
+  return space.surfaces.surface_at(arrival.object, arrival.face, arrival.position);
+}
+
 ShadingPoint point_on_surface(const Space& space, const Appearance& appearance, double extent,
                               const Arrival& arrival) {
   const std::uint32_t object = arrival.object, face = arrival.face;
-  ShadingPoint point{space.surfaces.surface_at(object, face, arrival.position),
+  const std::uint32_t material = appearance.bodies[object].material_of(face);
+  ShadingPoint point{surface_for(space, appearance.materials[material], arrival),
                      arrival.position,
                      {},
                      {},
-                     appearance.bodies[object].material_of(face),
+                     material,
                      object,
                      face,
                      departure_share * (length(arrival.position) + extent)};
@@ -67,11 +76,6 @@ ShadingPoint point_on_surface(const Space& space, const Appearance& appearance, 
 }
 
 }  // namespace
-
-Departure ShadingPoint::leaving(Vec3d direction) const {
-  if (shape == no_object) return {};
-  return {shape, face, dot(direction, surface.geometric_normal) < 0.0 ? -1.0 : 1.0, reach};
-}
 
 ShadingPoint shading_point(const Space& space, const Appearance& appearance,
                            const Arrival& arrival) {

@@ -12,7 +12,7 @@
 namespace portalens {
 
 struct ShadingPoint {
-  SurfacePoint surface;  ///< for its texture
+  SurfacePoint surface;  ///< for its texture: a quad's u and v only where it is a picture
   Vec3d position;        ///< where rays start
   Vec3d normal;          ///< unit; like the next one on the viewer's side
   Vec3d outward;         ///< unit; of the surface itself, where a mesh interpolates `normal`
@@ -22,7 +22,10 @@ struct ShadingPoint {
   double reach = 0.0;  ///< of departures
 
   /// How a ray in `direction` leaves this point.
-  [[nodiscard]] Departure leaving(Vec3d direction) const;
+  [[nodiscard]] Departure leaving(Vec3d direction) const {
+    if (shape == no_object) return {};
+    return {shape, face, dot(direction, surface.geometric_normal) < 0.0 ? -1.0 : 1.0, reach};
+  }
 };
 
 /// @pre the arrival has met a surface or a portal's back

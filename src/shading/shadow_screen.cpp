@@ -27,14 +27,18 @@ Vec3d absolute(Vec3d x) { return {std::fabs(x.x), std::fabs(x.y), std::fabs(x.z)
 /// A straight way, prepared.
 struct ShadowScreen::Way {
   const Departure& departure;
-  Vec3d from, to;
+  Vec3d from, to, whole;
   double slack;
+  double whole_square, inverse_square;
 
   explicit Way(const ShadowQuery& query)
       : departure(query.departure),
         from(query.from),
         to(query.to - (query.to - query.from) * before_light),
-        slack(rounding_share * (size(from) + size(to))) {}
+        whole(to - from),
+        slack(rounding_share * (size(from) + size(to))),
+        whole_square(dot(whole, whole)),
+        inverse_square(1.0 / whole_square) {}
 };
 
 ShadowScreen::ShadowScreen(const Space& space) {
@@ -98,16 +102,16 @@ bool ShadowScreen::misses(const Way& way, const Plane& plane) {
 /// The way's point nearest to the centre lies outside; or it begins on the ball and leaves it, less
 /// than grazing.
 bool ShadowScreen::misses(const Way& way, const Ball& ball) {
-  const Vec3d to_center = ball.center - way.from, whole = way.to - way.from;
-  const double onwards = dot(to_center, whole), whole_square = dot(whole, whole);
-  const double along = std::clamp(onwards / whole_square, 0.0, 1.0);
-  const Vec3d nearest = to_center - whole * along;
+  const Vec3d to_center = ball.center - way.from;
+  const double onwards = dot(to_center, way.whole);
+  const double along = std::clamp(onwards * way.inverse_square, 0.0, 1.0);
+  const Vec3d nearest = to_center - way.whole * along;
   const double reach = ball.radius + ball.slack + way.slack;
   if (dot(nearest, nearest) > reach * reach) return true;
   if (ball.shape != way.departure.shape || !(way.departure.side > 0.0)) return false;
   constexpr double steep = 1e-3, on = 1e-9;
   const double square = ball.radius * ball.radius, away = dot(to_center, to_center);
-  return onwards < 0.0 && onwards * onwards > steep * steep * away * whole_square &&
+  return onwards < 0.0 && onwards * onwards > steep * steep * away * way.whole_square &&
          std::fabs(away - square) <= on * square && way.departure.reach >= 1e-6 * ball.radius;
 }
 

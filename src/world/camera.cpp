@@ -132,4 +132,27 @@ Ray FilmCamera::ray(double film_x, double film_y) const {
   return {camera_.position, normalize(camera_.forward + aside + upwards)};
 }
 
+void FilmCamera::rays(std::span<const FilmPlace> places, std::span<Ray> rays) const {
+  if (camera_.projection == Projection::orthographic) {
+    std::transform(places.begin(), places.end(), rays.begin(),
+                   [this](const FilmPlace& place) { return ray(place.x, place.y); });
+    return;
+  }
+  // Component by component, for the compiler to take several at once; each as `ray` does.
+  std::array<double, most_rays> x, y, z;
+  const Vec3d right = camera_.right, up = camera_.up, forward = camera_.forward;
+  const double width = width_, height = height_, half = half_height_, aspect = aspect_;
+  const std::size_t count = places.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const double across = 2.0 * places[i].x / width - 1.0, above = 1.0 - 2.0 * places[i].y / height;
+    const double aside = across * half * aspect, upwards = above * half;
+    const double dx = forward.x + right.x * aside + up.x * upwards;
+    const double dy = forward.y + right.y * aside + up.y * upwards;
+    const double dz = forward.z + right.z * aside + up.z * upwards;
+    const double inverse = 1.0 / std::sqrt(dx * dx + dy * dy + dz * dz);
+    x[i] = dx * inverse, y[i] = dy * inverse, z[i] = dz * inverse;
+  }
+  for (std::size_t i = 0; i < count; ++i) rays[i] = {camera_.position, {x[i], y[i], z[i]}};
+}
+
 }  // namespace portalens

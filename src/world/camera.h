@@ -2,7 +2,9 @@
 /// Where the picture is taken from.
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <span>
 
 #include "core/parameters.h"
 #include "geometry/ray.h"
@@ -33,6 +35,11 @@ struct Camera {
   [[nodiscard]] Ray ray(double film_x, double film_y, int width, int height) const;
 };
 
+/// A point of the film, in pixels from its upper left corner.
+struct FilmPlace {
+  double x = 0.0, y = 0.0;
+};
+
 /// A camera with a film of some size: for many rays, what they share is worked out once. Borrows
 /// the camera.
 class FilmCamera {
@@ -41,6 +48,11 @@ class FilmCamera {
 
   /// As `Camera::ray`.
   [[nodiscard]] Ray ray(double film_x, double film_y) const;
+
+  static constexpr std::size_t most_rays = 64;
+  /// The same rays for many places, sooner: they are worked out side by side.
+  /// @pre places.size() <= most_rays, rays.size() >= places.size()
+  void rays(std::span<const FilmPlace> places, std::span<Ray> rays) const;
 
  private:
   const Camera& camera_;
