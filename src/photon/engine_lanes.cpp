@@ -27,7 +27,8 @@ class LaneDriver {
         scalar_(space, integrator_, coupling),
         photons_(photons),
         arrivals_(arrivals),
-        trails_(trails) {}
+        trails_(trails),
+        shapes_(space.surfaces.shapes()) {}
 
   void run() {
     for (int lane = 0; lane < lane_count; ++lane) refill(lane);
@@ -54,32 +55,41 @@ class LaneDriver {
   void handle(int lane, LaneEvent event, bool fresh) {
     // -1 where nothing is met: a float below 0 is no unsigned number.
     const auto object = static_cast<std::uint32_t>(static_cast<int>(lanes_.object[lane]));
-    const std::size_t index = photon_[lane];
-    Arrival& arrival = arrivals_[index];
+    Arrival& arrival = arrivals_[photon_[lane]];
     const bool whole = (whole_ >> lane & 1) != 0;
     if (whole) arrival = Arrival{};
     const double begun = arrival.length;
-    const State state = !fresh  ? state_of(lane)
-                        : whole ? State{photons_[index].position, photons_[index].direction}
-                                : states_[lane];
+    State state = fresh ? put_state(lane) : state_of(lane);
+    const double length = fresh ? begun : lanes_.length[lane];
     if (!fresh) {
-      arrival.length = lanes_.length[lane];
+      arrival.length = length;
       arrival.turning = lanes_.turning[lane];
       arrival.steps = static_cast<std::uint32_t>(lanes_.steps[lane]);
     }
-    if (event == LaneEvent::escape || event == LaneEvent::hit) {
-      arrival.position = state.position;
-      arrival.direction = state.direction;
-      arrival.fate = event == LaneEvent::escape ? Fate::escaped : Fate::hit;
-      if (event == LaneEvent::hit) {
-        arrival.met = Met::surface;
-        arrival.object = object;
-        settle_on_surface(arrival);
-      }
-      end(lane);
+    if (event != LaneEvent::escape && event != LaneEvent::hit) {
+      consult(lane, event, object, state, begun);
       return;
     }
-    const PathStart start = whole ? PathStart{photons_[index].departure} : starts_[lane];
+    arrival.fate = Fate::escaped;
+    if (event == LaneEvent::hit) {
+      arrival.fate = Fate::hit;
+      arrival.met = Met::surface;
+      arrival.object = object;
+      const double rest = distance_to_surface(object, {state.position, state.direction}, length);
+      state.position += state.direction * rest;
+      arrival.length = length + rest;
+    }
+    arrival.position = state.position;
+    arrival.direction = state.direction;
+    end(lane);
+  }
+
+  /// Lets the scalar engine see to what lanes don't. Never inlined: it is seldom, and large.
+  [[gnu::noinline]] void consult(int lane, LaneEvent event, std::uint32_t object,
+                                 const State& state, double begun) {
+    Arrival& arrival = arrivals_[photon_[lane]];
+    const bool whole = (whole_ >> lane & 1) != 0;
+    const PathStart start = whole ? PathStart{photons_[photon_[lane]].departure} : starts_[lane];
     const Travel way{state, start.after(arrival.length - begun), arrival};
     if (!trails_.empty() && event == LaneEvent::horizon && object >= most_lane_masses)
       note_passage(lane);
@@ -93,7 +103,7 @@ class LaneDriver {
       end(lane);
     } else {
       if (!trails_.empty() && scalar_.way().arrival.crossings != arrival.crossings) {
-        Trail& told = trails_[index];
+        Trail& told = trails_[photon_[lane]];
         event == LaneEvent::portal ? told.cross(object) : told.lose_sight();
       }
       arrival = scalar_.way().arrival;
@@ -142,18 +152,17 @@ class LaneDriver {
     refill(lane);
   }
 
-  /// Puts a hit that was found in float onto its surface in double.
-  void settle_on_surface(Arrival& arrival) const {
-    const Ray ray{arrival.position, arrival.direction};
-    const double reach = 1e-3 * (1e-3 * space_.extent + arrival.length);
+  /// How far a hit that was found in float is from its surface in double, along its way; 0 if that
+  /// is more than a float's rounding explains.
+  [[nodiscard]] double distance_to_surface(std::uint32_t object, const Ray& ray,
+                                           double length) const {
+    const double reach = 1e-3 * (1e-3 * space_.extent + length);
     double distance = 2.0 * reach;
-    if (const auto* quad = std::get_if<Quad>(&space_.surfaces.shapes()[arrival.object]))
+    if (const auto* quad = std::get_if<Quad>(&shapes_[object]))
       distance = quad->distance_of_plane(ray);
-    else if (const auto contact = space_.surfaces.contact_near(arrival.object, 0, ray, reach))
+    else if (const auto contact = space_.surfaces.contact_near(object, 0, ray, reach))
       distance = contact->distance;
-    if (!(std::fabs(distance) <= reach)) return;
-    arrival.position = ray.at(distance);
-    arrival.length += distance;
+    return std::fabs(distance) <= reach ? distance : 0.0;
   }
 
   [[nodiscard]] bool meet_portal(const Travel& way, std::uint32_t index) {
@@ -168,6 +177,13 @@ class LaneDriver {
     return scalar_.encounter(
         {0.0, slope < 0.0 ? Encounter::Kind::portal_front : Encounter::Kind::portal_back, index,
          0});
+  }
+
+  /// Where the lane's photon was put.
+  [[nodiscard]] State put_state(int lane) const {
+    if ((whole_ >> lane & 1) == 0) return states_[lane];
+    const Photon& photon = photons_[photon_[lane]];
+    return {photon.position, photon.direction};
   }
 
   [[nodiscard]] State state_of(int lane) const {
@@ -254,7 +270,8 @@ class LaneDriver {
   Tracer<Radau, C> scalar_;
   std::span<const Photon> photons_;
   std::span<Arrival> arrivals_;
-  std::span<Trail> trails_;     ///< empty where nobody asks
+  std::span<Trail> trails_;  ///< empty where nobody asks
+  std::span<const Shape> shapes_;
   std::optional<Vec3d> begun_;  ///< the last place from which a photon could begin
   Lanes lanes_;
   // Where they were put, in double; of those whose whole way is in lanes, the photon tells.
