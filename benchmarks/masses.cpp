@@ -1,7 +1,9 @@
 // Do a thousand masses cost more than ten, where as many of them act at a place? A sheet of masses,
 // as deep for any number of them, is looked through at right angles: so photons cross as many
 // spheres of influence in each. A cube of the same size for any number of them is shown, too: there
-// photons cross more spheres, and smaller ones. Photons must land where the scalar engine has them.
+// photons cross more spheres, and smaller ones. And what does it save that masses are crossed by
+// table which are alone in their influence? A grain of dust in each is enough that they are stepped
+// through. Photons must land where the scalar engine has them.
 //
 //     bench_masses [--json | --markdown]
 #include <fmt/format.h>
@@ -12,6 +14,7 @@
 #include <iterator>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "math/random.h"
@@ -30,12 +33,29 @@ constexpr double min_force = 5.0;  ///< so that a horizon is 1/200 of its sphere
 /// Errors are told in pixels of a picture with 256 over 40 degrees.
 constexpr double pixel = 40.0 * std::numbers::pi / 180.0 / 256;
 
-/// Masses spread evenly through a box about the origin, that is looked through along -z.
+/// Masses in a box about the origin, that is looked through along -z.
 struct Crowd {
   double width, depth;  ///< of the box: width² depth
   std::vector<Vec3d> centers;
   double radius = 0.0;  ///< of each influence
+  double dust = 0.0;    ///< radius of a grain in each
 
+  /// Side by side, each alone.
+  static Crowd apart(int columns, int rows) {
+    constexpr double distance = 2.1;
+    Crowd crowd;
+    for (int i = 0; i < columns; ++i)
+      for (int j = 0; j < rows; ++j)
+        crowd.centers.push_back({distance * (i - 0.5 * (columns - 1)),
+                                 distance * (j - 0.5 * (rows - 1)), 0.05 * ((i + j) % 3)});
+    crowd.radius = 1.0;
+    crowd.width = distance * columns;
+    crowd.depth = 2.0;
+    return crowd;
+  }
+  Crowd() = default;
+
+  /// Spread evenly.
   Crowd(int count, double the_width, double the_depth) : width(the_width), depth(the_depth) {
     // An additive sequence with the powers of the root of x⁴ = x + 1 (Roberts, 2018).
     constexpr double root = 1.2207440846057596;
@@ -90,6 +110,10 @@ max_steps = 1000000
     for (const Vec3d& center : centers)
       fmt::format_to(std::back_inserter(text), "[[mass]]\ncenter = [{}, {}, {}]\nmass = {}\n",
                      center.x, center.y, center.z, min_force * radius * radius);
+    if (dust > 0.0)
+      for (const Vec3d& center : centers)
+        fmt::format_to(std::back_inserter(text), "[[sphere]]\ncenter = [{}, {}, {}]\nradius = {}\n",
+                       center.x, center.y, center.z - 0.9 * radius, dust);
     return text;
   }
 };
@@ -126,6 +150,32 @@ Found measure(const std::string& name, const Crowd& crowd, const Request& reques
   return found;
 }
 
+/// Masses that are alone, by table and by steps.
+void run_apart(const Request& request) {
+  Table table("masses alone in their influence",
+              {{"masses", ""},
+               {"us a photon", "microseconds", "{:.3f}"},
+               {"stepped through", "microseconds_stepped", "{:.3f}"},
+               {"ratio", "ratio", "{:.1f}"},
+               {"steps", "steps", "{:.1f}"},
+               {"median px", "error_p50_px", "{:.2g}"},
+               {"p99 px", "error_p99_px", "{:.2g}"},
+               {"max px", "error_max_px", "{:.2g}"},
+               {"mismatch", "mismatch", "{:.3f} %", 100.0}});
+  for (const auto& [columns, rows] : {std::pair(1, 1), {2, 4}, {4, 5}, {10, 10}}) {
+    const std::string count = fmt::format("{}", columns * rows);
+    Crowd crowd = Crowd::apart(columns, rows);
+    const Found found = measure("masses-apart-" + count, crowd, request);
+    crowd.dust = 1e-5;
+    const Found stepped = measure("masses-dusty-" + count, crowd, request);
+    table.add("masses/apart-" + count,
+              {count, 1e6 * found.seconds, 1e6 * stepped.seconds, stepped.seconds / found.seconds,
+               found.steps, found.errors.median, found.errors.p99, found.errors.most,
+               found.errors.mismatch});
+  }
+  table.print(request.style);
+}
+
 int run(const Request& request) {
   Table table(fmt::format("{:.3g} spheres of influence over a place", coverage),
               {{"", ""},
@@ -157,6 +207,7 @@ int run(const Request& request) {
   base = add("cube", 10, Crowd(10, depth, depth), 0.0);
   add("cube", 1000, Crowd(1000, depth, depth), base);
   table.print(request.style);
+  run_apart(request);
   return 0;
 }
 

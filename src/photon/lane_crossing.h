@@ -48,51 +48,69 @@ class LaneCrossing {
   /// What becomes of lanes that cross.
   struct Passage {
     V place, direction;
-    R length{0}, turning{0};
-    R object{-1};
-    R captured{0};  ///< 1 where they end on the horizon
+    R length, turning;  ///< 0 in other lanes
+    R object;
+    Mask captured;  ///< they end on the horizon
   };
 
-  /// @param which  the lanes that came to the rim
-  [[nodiscard]] Passage pass(Mask which) const {
-    Passage passage;
-    const R b2 = dot(aside_, aside_);
+  /// @param here  the lanes that came to the rim; of no others is anything told
+  [[nodiscard]] Passage pass(Mask here) const {
+    const Masses masses(scene_, here, which_);
+    const CrossingRange<R> range{R::load(masses.capture), R::load(masses.scale),
+                                 R::load(masses.stretch)};
+    const R influence = R::load(masses.influence), per_radius = R(1) / influence;
+    const R b2 = dot(aside_, aside_), b = sqrt(b2), impact = b * per_radius;
     const V inwards = aside_ * (R(1) / sqrt(max(b2, R(1e-30))));
-    for (int k = 0; k < scene_.lone_count; ++k) {
-      const Mask here = which & (which_ == R(k));
-      if (any(here)) cross(here, k, sqrt(b2), inwards, passage);
-    }
-    return passage;
-  }
-
- private:
-  void cross(Mask here, int k, R b, V inwards, Passage& passage) const {
-    const LaneLone& lone = scene_.lone[k];
-    const R per_radius(lone.per_influence);
-    const CrossingRange<R> range{R(lone.range.capture), R(lone.range.scale), R(lone.range.stretch)};
-    const R impact = b * per_radius;
     const Mask falls = impact < range.capture;
     // What is captured has no place among what passes.
     const auto falling = captured_place(range, impact);
     const auto passing = passing_place(range, max(impact, range.capture), half_ * per_radius);
     const R factor = select(falls, falling.factor, passing.factor);
-    const Values found = look_up(here, lone, select(falls, falling.cell, passing.cell));
+    const Values found = look_up(here, masses, select(falls, falling.cell, passing.cell));
 
     const R tangent = found.half_tangent * factor, tangent2 = tangent * tangent;
     const R scale = R(1) / (R(1) + tangent2);
     const R cosine = (R(1) - tangent2) * scale, sine = R(2) * tangent * scale;
     const V out = t_ * cosine + inwards * sine, in = inwards * cosine - t_ * sine;
-    const R horizon(lone.horizon);
+    const R horizon = R::load(masses.horizon);
     const R ahead = select(falls, -horizon * falling.cell * R(1.0 / captured_cells), half_);
     const R away = select(falls, horizon * falling.factor, b);
-    const V place = spread<R>(lone.center) + out * ahead - in * away;
-    put(here, place, passage.place);
-    put(here, unit(out), passage.direction);
-    put(here, found.length * select(falls, R(1), factor) * R(lone.influence), passage.length);
-    put(here, found.turning * factor, passage.turning);
-    put(here, R(most_lane_masses + k), passage.object);
-    put(here, select(falls, R(1), R(0)), passage.captured);
+    const V center{R::load(masses.x), R::load(masses.y), R::load(masses.z)};
+    const R none(0);
+    return {center + out * ahead - in * away,
+            unit(out),
+            select(here, found.length * select(falls, R(1), factor) * influence, none),
+            select(here, found.turning * factor, none),
+            which_ + R(most_lane_masses),
+            here & falls};
   }
+
+ private:
+  /// The masses that lanes cross, lane by lane.
+  struct alignas(64) Masses {
+    float x[R::lanes] = {}, y[R::lanes] = {}, z[R::lanes] = {};
+    float influence[R::lanes] = {}, horizon[R::lanes] = {};
+    float capture[R::lanes] = {}, scale[R::lanes] = {}, stretch[R::lanes] = {};
+    const float* cells[R::lanes];
+
+    Masses(const LaneScene& scene, Mask here, R which) {
+      float indices[R::lanes];
+      which.store(indices);
+      for (std::uint32_t rest = bits(here); rest != 0; rest &= rest - 1) {
+        const int lane = __builtin_ctz(rest);
+        const LaneLone& lone = scene.lone[static_cast<int>(indices[lane])];
+        x[lane] = lone.center.x;
+        y[lane] = lone.center.y;
+        z[lane] = lone.center.z;
+        influence[lane] = lone.influence;
+        horizon[lane] = lone.horizon;
+        capture[lane] = lone.range.capture;
+        scale[lane] = lone.range.scale;
+        stretch[lane] = lone.range.stretch;
+        cells[lane] = lone.cells;
+      }
+    }
+  };
 
   struct Values {
     R half_tangent, turning, length;
@@ -113,7 +131,7 @@ class LaneCrossing {
   };
 
   /// Lane by lane: what one needs lies together.
-  [[nodiscard]] static Values look_up(Mask here, const LaneLone& lone, R cell) {
+  [[nodiscard]] static Values look_up(Mask here, const Masses& masses, R cell) {
     alignas(64) float cells[R::lanes], out[3][R::lanes] = {};
     // What is no number looks at the last.
     constexpr double last = captured_cells + passing_cells - 1e-4;
@@ -122,20 +140,13 @@ class LaneCrossing {
       const int lane = __builtin_ctz(rest);
       const int first = static_cast<int>(cells[lane]);
       const float u = cells[lane] - static_cast<float>(first);
-      const float* at = lone.cells + floats_per_cell * first;
+      const float* at = masses.cells[lane] + floats_per_cell * first;
       const Four four =
           Four::load(at) +
           (Four::load(at + 4) + (Four::load(at + 8) + Four::load(at + 12) * u) * u) * u;
       for (int c = 0; c < 3; ++c) out[c][lane] = four.values[c];
     }
     return {R::load(out[0]), R::load(out[1]), R::load(out[2])};
-  }
-
-  static void put(Mask where, R value, R& to) { to = select(where, value, to); }
-  static void put(Mask where, V value, V& to) {
-    put(where, value.x, to.x);
-    put(where, value.y, to.y);
-    put(where, value.z, to.z);
   }
 
   const LaneScene& scene_;

@@ -43,7 +43,6 @@ void add_lone_masses(const Space& space, LanePlan& plan) {
         narrow(mass.center - plan.center),
         influence,
         influence * influence,
-        static_cast<float>(1.0 / mass.influence),
         static_cast<float>(mass.schwarzschild),
         {static_cast<float>(range.capture), static_cast<float>(range.scale),
          static_cast<float>(range.stretch)},

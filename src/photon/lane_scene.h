@@ -38,7 +38,7 @@ inline constexpr int most_lane_boxes = 24;
 /// A mass that is alone in its influence.
 struct LaneLone {
   LaneVec center;
-  float influence, influence2, per_influence;
+  float influence, influence2;
   float horizon;  ///< r_s
   CrossingRange<float> range;
   const float* cells;  ///< of its `CrossingTable`

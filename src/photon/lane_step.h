@@ -102,7 +102,7 @@ class LaneStepper {
       length = length + passage.length;
       angle = angle + passage.turning;
       clear = clear - passage.length;
-      crossed = select(passage.captured > R(0), code(LaneEvent::horizon), code(LaneEvent::cross));
+      crossed = select(passage.captured, code(LaneEvent::horizon), code(LaneEvent::cross));
       found.object = select(crosses, passage.object, found.object);
     }
     write(lanes_.x, stays, x.x, x1.x);
