@@ -18,31 +18,42 @@ class LaneCrossing {
   using Mask = typename R::Mask;
   using V = Vec3<R>;
 
-  R reach{never};  ///< how far it is to the first of them
-  Mask inside;     ///< the way begins within one, and not at its rim
+  R reach;      ///< how far it is to the first of them, or to the end of the step before
+  Mask enters;  ///< the first of them comes before the end
+  Mask inside;  ///< the way begins within one, and not at its rim
+
+  /// Says nothing before it has sought.
+  explicit LaneCrossing(const LaneScene& scene) : scene_(scene) {}
 
   /// @param x, t  of the ways
-  LaneCrossing(const LaneScene& scene, V x, V t) : inside(R(1) < R(0)), scene_(scene), t_(t) {
-    const R slack(scene.overshoot);
-    for (int k = 0; k < scene.lone_count; ++k) {
-      const LaneLone& lone = scene.lone[k];
+  /// @param flies, h  those that are straight, and where they end
+  void seek(V x, V t, Mask flies, R h) {
+    const R slack(scene_.overshoot);
+    t_ = t;
+    reach = h;
+    enters = inside = R(1) < R(0);
+    which_ = half_ = R(0);
+    aside_ = {R(0), R(0), R(0)};
+    for (int k = 0; k < scene_.lone_count; ++k) {
+      const LaneLone& lone = scene_.lone[k];
       const V to_mass = spread<R>(lone.center) - x;
       const R along = dot(to_mass, t);
       const V aside = to_mass - t * along;
       const R half2 = R(lone.influence2) - dot(aside, aside);
-      const Mask meets = half2 > R(scene.graze2);
+      const Mask meets = flies & (half2 > R(scene_.graze2));
       if (!any(meets)) continue;
       const R half = sqrt(max(half2, R(0)));
       const R begin = along - half;
       inside = inside | (meets & (begin <= -slack) & (along + half > slack));
-      const Mask enters = meets & (along > R(0)) & (begin > -slack) & (begin < reach);
-      reach = select(enters, begin, reach);
-      which_ = select(enters, R(k), which_);
-      half_ = select(enters, half, half_);
-      aside_ = {select(enters, aside.x, aside_.x), select(enters, aside.y, aside_.y),
-                select(enters, aside.z, aside_.z)};
+      const Mask nearer = meets & (along > R(0)) & (begin > -slack) & (begin < reach);
+      enters = enters | nearer;
+      reach = select(nearer, begin, reach);
+      which_ = select(nearer, R(k), which_);
+      half_ = select(nearer, half, half_);
+      aside_ = {select(nearer, aside.x, aside_.x), select(nearer, aside.y, aside_.y),
+                select(nearer, aside.z, aside_.z)};
     }
-    reach = max(reach, R(0.01) * slack);
+    reach = select(enters, max(reach, R(0.01) * slack), reach);
   }
 
   /// What becomes of lanes that cross.
@@ -53,8 +64,9 @@ class LaneCrossing {
     Mask captured;  ///< they end on the horizon
   };
 
-  /// @param here  the lanes that came to the rim; of no others is anything told
-  [[nodiscard]] Passage pass(Mask here) const {
+  /// Of the lanes that still are said to enter; of no others is anything told.
+  [[nodiscard]] Passage pass() const {
+    const Mask here = enters;
     const Masses masses(scene_, here, which_);
     const CrossingRange<R> range{R::load(masses.capture), R::load(masses.scale),
                                  R::load(masses.stretch)};
@@ -151,8 +163,8 @@ class LaneCrossing {
 
   const LaneScene& scene_;
   V t_;
-  R which_{-1}, half_{0};
-  V aside_{R(0), R(0), R(0)};  ///< from the way to the mass, at right angles
+  R which_, half_;
+  V aside_;  ///< from the way to the mass, at right angles
 };
 
 }  // namespace portalens

@@ -50,12 +50,13 @@ class LaneStepper {
     const Mask flies = !field.acting;
     const R most = longest(x, start, flies);
     const R border = field.boundary(x, t, bend, most);
-    const LaneCrossing<R> lone(scene_, x, t);
     R h = min(most, border + R(scene_.overshoot));
-    Mask enters = R(1) < R(0);
-    if (scene_.lone_count > 0) {
-      enters = flies & (lone.reach < h);
-      h = select(enters, lone.reach, h);
+    // Scenes without lone masses pay for a branch.
+    const bool has_lone = scene_.lone_count > 0;
+    LaneCrossing<R> lone(scene_);
+    if (has_lone) {
+      lone.seek(x, t, flies, h);
+      h = lone.reach;
     }
     const auto acceleration = [&](V place) { return field.acceleration(place); };
     const StateOf<R> here{x, t};
@@ -73,14 +74,16 @@ class LaneStepper {
     find_spheres(path, found);
     R clear = read(lanes_.clear) - h;
     find_boxes(path, end, clear, doubtful);
-    if (scene_.lone_count > 0)
-      doubtful = select((flies & lone.inside) | (enters & may_end_within()), R(1), doubtful);
+    if (has_lone) doubtful = select(lone.inside | (lone.enters & may_end_within()), R(1), doubtful);
 
     const Mask consults = live & (doubtful > R(0));
     find_change(path, end, field, live & !consults, found);
     const Mask ends = (found.share <= R(1)) & live & !consults;
-    const Mask crosses = live & enters & !consults & !ends;
-    const Mask escapes = live & flies & !enters & (border >= R(never)) & !ends & !consults;
+    Mask escapes = live & flies & (border >= R(never)) & !(found.share <= R(1)) & !consults;
+    if (has_lone) {
+      lone.enters = live & lone.enters & !consults & !ends;
+      escapes = escapes & !lone.enters;
+    }
     const Mask stays = consults | escapes | !live;
 
     V x1 = end.position, t1 = end.direction;
@@ -94,16 +97,17 @@ class LaneStepper {
       x1 = choose(ends, path.place.at(u), x1);
       t1 = choose(ends, unit(path.place.slope(u) * (R(1) / h)), t1);
     }
+    const bool crosses = has_lone && any(lone.enters);
     R crossed(0);
-    if (any(crosses)) {
-      const auto passage = lone.pass(crosses);
-      x1 = choose(crosses, passage.place, x1);
-      t1 = choose(crosses, passage.direction, t1);
+    if (crosses) {
+      const auto passage = lone.pass();
+      x1 = choose(lone.enters, passage.place, x1);
+      t1 = choose(lone.enters, passage.direction, t1);
       length = length + passage.length;
       angle = angle + passage.turning;
       clear = clear - passage.length;
       crossed = select(passage.captured, code(LaneEvent::horizon), code(LaneEvent::cross));
-      found.object = select(crosses, passage.object, found.object);
+      found.object = select(lone.enters, passage.object, found.object);
     }
     write(lanes_.x, stays, x.x, x1.x);
     write(lanes_.y, stays, x.y, x1.y);
@@ -119,8 +123,10 @@ class LaneStepper {
     const Mask within = (travelled <= R(scene_.max_length)) & (turning <= R(scene_.max_turning)) &
                         (steps <= R(scene_.max_steps));
     R event = select(live & !within, code(LaneEvent::limit), R(0));
-    event =
-        select(crosses & ((event == R(0)) | (crossed == code(LaneEvent::horizon))), crossed, event);
+    if (crosses) {
+      const Mask counts = (event == R(0)) | (crossed == code(LaneEvent::horizon));
+      event = select(lone.enters & counts, crossed, event);
+    }
     event = select(ends, found.event, event);
     event = select(escapes, code(LaneEvent::escape), event);
     event = select(consults, code(LaneEvent::consult), event);
