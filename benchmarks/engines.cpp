@@ -91,9 +91,7 @@ std::optional<Contestant> fewer_photons(const World& world) {
                                        std::span<Arrival> arrivals) {
     const double pixels = static_cast<double>(world.film.width) * world.film.height;
     const double step = std::sqrt(pixels / static_cast<double>(photons.size()));
-    const std::vector<Arrival> found =
-        interpolated_arrivals(world, *kept, static_cast<int>(std::lround(step)));
-    std::copy(found.begin(), found.end(), arrivals.begin());
+    interpolate(world, *kept, static_cast<int>(std::lround(step)), arrivals);
   };
   return Contestant{"fewer photons", travel, 1,
                     [&world] { (void)take_picture(world, 1, Engine::automatic, Photons::fewer); }};

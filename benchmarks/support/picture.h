@@ -2,6 +2,8 @@
 /// Taking a picture from camera to film, as `render` does and without it.
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <vector>
 
 #include "core/image.h"
@@ -27,34 +29,32 @@ namespace portalens::benchmarks {
   return render(world, options);
 }
 
-/// The photons of `camera_photons(world, every)`, in the tiles of `render`, which may be
-/// interpolated between their neighbours. @pre the world's photons can travel in lanes
-[[nodiscard]] inline std::vector<Arrival> interpolated_arrivals(const World& world,
-                                                                const BeamGuard& guard,
-                                                                int every = 1) {
-  const std::vector<Photon> photons = camera_photons(world, every);
-  const Window film{0, 0, world.film.width, world.film.height};
-  const Tiling tiles(film, RenderOptions{}.tile_size);
+/// Arrivals of the photons of `camera_photons(world, every)`, in the tiles of `render`, which may
+/// be interpolated between their neighbours. @pre the world's photons can travel in lanes
+inline void interpolate(const World& world, const BeamGuard& guard, int every,
+                        std::span<Arrival> arrivals) {
+  const Tiling tiles({0, 0, world.film.width, world.film.height}, tile_size_of(world, {}));
   const int columns = (world.film.width - every / 2 - 1) / every + 1;
-  std::vector<Arrival> arrivals(photons.size());
+  Lattice lattice(world, guard, tiles[0]);
+  std::vector<std::size_t> which;
+  std::vector<FilmPlace> places;
+  std::vector<Arrival> found;
+  Tally tally;
   for (std::size_t t = 0; t < tiles.count(); ++t) {
     const Window tile = tiles[t];
-    std::vector<std::size_t> which;
-    std::vector<Photon> some;
-    std::vector<FilmPlace> places;
+    which.clear();
+    places.clear();
     const auto first = [&](int low) { return (low + every - 1 - every / 2) / every; };
     for (int j = first(tile.y0); every / 2 + j * every < tile.y1; ++j)
       for (int i = first(tile.x0); every / 2 + i * every < tile.x1; ++i) {
         which.push_back(static_cast<std::size_t>(j) * columns + i);
-        some.push_back(photons[which.back()]);
         places.push_back({every / 2 + i * every + 0.5, every / 2 + j * every + 0.5});
       }
-    std::vector<Arrival> found(some.size());
-    Tally tally;
-    Lattice(world, guard, tile).advance(places, found, tally);
+    found.resize(places.size());
+    lattice.lay_over(tile);
+    lattice.advance(places, found, tally);
     for (std::size_t i = 0; i < which.size(); ++i) arrivals[which[i]] = found[i];
   }
-  return arrivals;
 }
 
 /// Every n-th pixel each way, shaded by the program, with photons that `travel` advances.

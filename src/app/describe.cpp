@@ -199,7 +199,7 @@ std::string gravity_text(const Space& space) {
 /// For the whole picture, without layers, on all threads.
 MemoryEstimate memory_of(const World& world) {
   return estimated_memory(world, {0, 0, world.film.width, world.film.height}, 0,
-                          available_threads(), RenderOptions{}.tile_size);
+                          available_threads(), tile_size_of(world, {}));
 }
 
 Json memory_json(const World& world) {

@@ -81,8 +81,8 @@ void add_work_options(CLI::App& command, RenderArguments& arguments) {
       ->type_name("HOST:PORT");
   command
       .add_option("--tile", arguments.options.tile_size,
-                  "Pixels along the side of the squares that threads work on")
-      ->capture_default_str()
+                  "Pixels along the side of the squares that threads work on; by default 64 where "
+                  "few samples are interpolated, else 32")
       ->check(CLI::Range(1, 4096));
   command
       .add_option("--engine", arguments.options.engine,

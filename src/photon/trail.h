@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "math/vec3.h"
 
@@ -34,11 +35,18 @@ class Trail {
   void pass(Vec3d place, double length, double turning) {
     if (count_ == most_points) known_ = false;
     if (!known_) return;
-    points_[count_++] = {
+    const Waypoint point{
         {static_cast<float>(place.x), static_cast<float>(place.y), static_cast<float>(place.z)},
         static_cast<float>(length),
         static_cast<float>(turning),
         crossings_};
+    if (count_ < few_points) {
+      few_[count_++] = point;
+      return;
+    }
+    if (count_ == few_points) many_.assign(few_.begin(), few_.end());
+    many_.push_back(point);
+    ++count_;
   }
   /// The next place lies beyond that portal.
   void cross(std::uint32_t portal) {
@@ -50,7 +58,9 @@ class Trail {
 
   /// False if it was too long to be told.
   [[nodiscard]] bool known() const { return known_ && count_ > 0; }
-  [[nodiscard]] std::span<const Waypoint> points() const { return {points_.data(), count_}; }
+  [[nodiscard]] std::span<const Waypoint> points() const {
+    return {count_ > few_points ? many_.data() : few_.data(), count_};
+  }
   /// The portals that it entered, in order, as one number: equal for the same portals only.
   [[nodiscard]] std::uint64_t portals() const { return portals_; }
   [[nodiscard]] std::int32_t crossings() const { return crossings_; }
@@ -62,7 +72,7 @@ class Trail {
   }
 
  private:
-  static constexpr std::size_t most_points = 64;
+  static constexpr std::size_t few_points = 20, most_points = 64;
   static constexpr std::uint32_t most_portals = 31;
   static constexpr int most_crossings = 12;  // 32^12 fits 64 bits
 
@@ -70,7 +80,8 @@ class Trail {
   std::size_t count_ = 0;
   std::int32_t crossings_ = 0;
   bool known_ = true;
-  std::array<Waypoint, most_points> points_;  ///< the first `count_` of them
+  std::array<Waypoint, few_points> few_;  ///< the first `count_` of them
+  std::vector<Waypoint> many_;            ///< all, where there are more
 };
 
 }  // namespace portalens

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
 #include <optional>
+#include <utility>
 #include <variant>
 
 #include "photon/engine.h"
@@ -21,9 +20,19 @@ double most_third_difference(const Space& space) {
   return std::holds_alternative<NoCoupling>(space.coupling) ? 3.0 : 0.5;
 }
 
-int floor_of(int a, int b) { return a >= 0 ? a / b : -((b - 1 - a) / b); }
+/// Coarse cells that are decided together, about: their guides fill the lanes.
+constexpr int cells_at_once = 96;
+/// Nodes for which there is room from the beginning.
+constexpr std::size_t most_room = 1024;
 
 Vec3d part(const float* values) { return {values[0], values[1], values[2]}; }
+
+/// @pre its length is 1, or nearly
+Vec3d unit(Vec3d a) {
+  const double square = dot(a, a);
+  // One step of Newton's method leaves 4e-11 of that, and is done in half the time.
+  return std::fabs(square - 1.0) < 1e-5 ? a * (1.5 - 0.5 * square) : a * inverse_sqrt(square);
+}
 
 bool alike(const Arrival& a, const Arrival& b) {
   return a.fate == b.fate && a.met == b.met && a.object == b.object && a.face == b.face &&
@@ -54,41 +63,51 @@ bool Bicubic::through(const Space& space, const Guides& guides, const PixelSpan&
   if (model_.fate == Fate::absorbed) return true;
   const bool flat = model_.fate == Fate::hit;
   sphere_ = flat ? std::get_if<Sphere>(&space.surfaces.shapes()[model_.object]) : nullptr;
+  const auto in_float = [](double x) { return static_cast<float>(x); };
   std::array<Values, 16> values;
+  // Whether it bends too much along any row or column of the lattice.
+  const auto rough = [&](const auto& bent_too_much) {
+    const auto is_rough = [&](std::size_t first, std::size_t step) {
+      const auto value = [&](std::size_t n) { return values[first + n * step].data(); };
+      float third[8];
+      for (std::size_t k = 0; k < 8; ++k)
+        third[k] = value(3)[k] - value(0)[k] + 3.0f * (value(1)[k] - value(2)[k]);
+      return bent_too_much(third);
+    };
+    for (std::size_t i = 0; i < 4; ++i)
+      if (is_rough(4 * i, 1) || is_rough(i, 4)) return true;
+    return false;
+  };
+  for (std::size_t n = 0; n < 16; ++n) {
+    const Vec3d turned = guides[n / 4][n % 4]->direction - model_.direction;
+    values[n] = {0, 0, 0, 0, in_float(turned.x), in_float(turned.y), in_float(turned.z)};
+  }
+  const double most_turned = most * (pixel.angle + pixel.aside / space.extent);
+  if (rough([&](const float* third) { return !(length(part(third + 4)) <= most_turned); }))
+    return false;
   double reach = 0.0;
   for (std::size_t n = 0; n < 16; ++n) {
     const Arrival& guide = *guides[n / 4][n % 4];
     const double weight = flat ? model_.length / guide.length : 1.0;
-    const Vec3d aside = guide.position - model_.position,
-                turned = guide.direction - model_.direction;
+    const Vec3d aside = guide.position - model_.position;
     reach = std::max(reach, dot(aside, aside));
     const Vec3d place = aside * weight;
-    const auto in_float = [](double x) { return static_cast<float>(x); };
-    values[n] = {in_float(place.x),
-                 in_float(place.y),
-                 in_float(place.z),
-                 in_float(weight - 1.0),
-                 in_float(turned.x),
-                 in_float(turned.y),
-                 in_float(turned.z),
-                 in_float(guide.length - model_.length),
-                 in_float(guide.turning - model_.turning)};
+    values[n][0] = in_float(place.x);
+    values[n][1] = in_float(place.y);
+    values[n][2] = in_float(place.z);
+    values[n][3] = in_float(weight - 1.0);
+    values[n][7] = in_float(guide.length - model_.length);
+    values[n][8] = in_float(guide.turning - model_.turning);
   }
-  reach = std::sqrt(reach);
-  // A miss counts in pixels of where the light came from; to the sky only its direction does.
-  const double most_aside = flat ? most * (pixel.angle * model_.length + pixel.aside)
-                                 : std::numeric_limits<double>::max();
-  const double most_turned = most * (pixel.angle + pixel.aside / space.extent);
-  const auto rough = [&](std::size_t first, std::size_t step) {
-    const auto value = [&](std::size_t n) { return values[first + n * step].data(); };
-    float third[7];
-    for (std::size_t k = 0; k < 7; ++k)
-      third[k] = value(3)[k] - value(0)[k] + 3.0f * (value(1)[k] - value(2)[k]);
-    const double aside = length(part(third)) + reach * std::fabs(third[3]);
-    return !(aside <= most_aside) || !(length(part(third + 4)) <= most_turned);
-  };
-  for (std::size_t i = 0; i < 4; ++i)
-    if (rough(4 * i, 1) || rough(i, 4)) return false;
+  if (flat) {
+    reach = std::sqrt(reach);
+    // A miss counts in pixels of where the light came from; to the sky only its direction does.
+    const double most_aside = most * (pixel.angle * model_.length + pixel.aside);
+    if (rough([&](const float* third) {
+          return !(length(part(third)) + reach * std::fabs(third[3]) <= most_aside);
+        }))
+      return false;
+  }
   std::array<Cubic, 4> rows;
   for (std::size_t j = 0; j < 4; ++j) {
     const Values* row = &values[4 * j];
@@ -130,7 +149,7 @@ void Bicubic::Row::tell(double u, Arrival& arrival) const {
   if (arrival.fate == Fate::absorbed) return;
   const Values sum = value(cubic_, static_cast<float>(u));
   arrival.position += part(sum.data()) * (1.0 / (1.0 + double{sum[3]}));
-  arrival.direction = normalize(arrival.direction + part(sum.data() + 4));
+  arrival.direction = unit(arrival.direction + part(sum.data() + 4));
   arrival.length += double{sum[7]};
   arrival.turning += double{sum[8]};
   if (const Sphere* sphere = cell_.sphere_)
@@ -138,13 +157,12 @@ void Bicubic::Row::tell(double u, Arrival& arrival) const {
         sphere->center() + normalize(arrival.position - sphere->center()) * sphere->radius();
 }
 
-void Lattice::Level::lay_over(const Window& tile) {
-  const int side = stride * spacing;
-  first_column = floor_of(tile.x0, side);
-  first_row = floor_of(tile.y0, side);
-  columns = floor_of(tile.x1 - 1, side) - first_column + 1;
-  rows = floor_of(tile.y1 - 1, side) - first_row + 1;
-  cells.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), Cell{});
+void Lattice::Level::clear(int column, int row, int column_count, int row_count) {
+  first_column = column;
+  first_row = row;
+  columns = column_count;
+  rows = row_count;
+  smooth.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), none);
 }
 
 Lattice::Lattice(const World& world, const BeamGuard& guard, const Window& tile)
@@ -153,16 +171,29 @@ Lattice::Lattice(const World& world, const BeamGuard& guard, const Window& tile)
 }
 
 void Lattice::lay_over(const Window& tile) {
-  coarse_.lay_over(tile);
-  fine_.lay_over(tile);
+  constexpr int side = 2 * spacing;
+  tile_ = tile;
+  const int column = tile.x0 / side, row = tile.y0 / side;
+  const int columns = (tile.x1 - 1) / side - column + 1, rows = (tile.y1 - 1) / side - row + 1;
+  coarse_.clear(column, row, columns, rows);
+  fine_.clear(2 * column, 2 * row, 2 * columns, 2 * rows);
+  settled_ = 0.0;
   // The coarse cells and one more about them hold all nodes that are ever asked for.
-  first_column_ = 2 * (coarse_.first_column - 1);
-  first_row_ = 2 * (coarse_.first_row - 1);
-  columns_ = static_cast<std::size_t>(2 * (coarse_.columns + 2) + 1);
-  nodes_.assign(columns_ * static_cast<std::size_t>(2 * (coarse_.rows + 2) + 1), none);
+  first_column_ = 2 * (column - 1);
+  first_row_ = 2 * (row - 1);
+  columns_ = static_cast<std::size_t>(2 * (columns + 2) + 1);
+  nodes_.assign(columns_ * static_cast<std::size_t>(2 * (rows + 2) + 1), none);
   guides_.clear();
   pixels_.clear();
+  arrivals_.clear();
   smooth_.clear();
+  // So that nothing moves while it grows; what is not used costs nothing.
+  const std::size_t room = std::min(nodes_.size(), most_room);
+  guides_.reserve(room);
+  pixels_.reserve(room);
+  arrivals_.reserve(room);
+  trails_.reserve(room);
+  smooth_.reserve(room);
 }
 
 Lattice::Spot Lattice::spot_in(const Level& level, const FilmPlace& place) {
@@ -170,14 +201,12 @@ Lattice::Spot Lattice::spot_in(const Level& level, const FilmPlace& place) {
   const double x = place.x * cells, y = place.y * cells;
   const int column = static_cast<int>(x), row = static_cast<int>(y);
   const int cell = (row - level.first_row) * level.columns + column - level.first_column;
-  return {static_cast<std::uint32_t>(cell), x - column, y - row};
+  return {static_cast<std::size_t>(cell), x - column, y - row};
 }
 
 void Lattice::send_guides(const Level& level, Tally& tally) {
   const std::size_t first = guides_.size();
-  for (const std::uint32_t cell : undecided_) {
-    const int column = level.first_column + static_cast<int>(cell) % level.columns;
-    const int row = level.first_row + static_cast<int>(cell) / level.columns;
+  for (const auto& [column, row] : undecided_)
     for (int j = -1; j < 3; ++j)
       for (int i = -1; i < 3; ++i) {
         const int x = (column + i) * level.stride, y = (row + j) * level.stride;
@@ -189,7 +218,6 @@ void Lattice::send_guides(const Level& level, Tally& tally) {
         photon.position = ray.origin;
         photon.direction = ray.direction;
       }
-  }
   const std::size_t count = guides_.size() - first;
   pixels_.resize(guides_.size(), {-1.0, -1.0});
   arrivals_.resize(guides_.size());
@@ -214,78 +242,102 @@ const PixelSpan& Lattice::pixel_at(int column, int row) {
   return pixel;
 }
 
-PixelSpan Lattice::pixel_in(const Level& level, int column, int row) {
-  PixelSpan least = pixel_at(column * level.stride, row * level.stride);
+PixelSpan Lattice::pixel_in(const Level& level, const Cell& cell) {
+  PixelSpan least = pixel_at(cell.column * level.stride, cell.row * level.stride);
   for (const auto& [i, j] : {std::pair{1, 0}, std::pair{0, 1}, std::pair{1, 1}}) {
-    const PixelSpan& pixel = pixel_at((column + i) * level.stride, (row + j) * level.stride);
+    const PixelSpan& pixel =
+        pixel_at((cell.column + i) * level.stride, (cell.row + j) * level.stride);
     least.angle = std::min(least.angle, pixel.angle);
     least.aside = std::min(least.aside, pixel.aside);
   }
   return least;
 }
 
-void Lattice::decide(Level& level, std::uint32_t index) {
-  const int column = level.first_column + static_cast<int>(index) % level.columns;
-  const int row = level.first_row + static_cast<int>(index) / level.columns;
-  const auto at = [&](std::size_t i, std::size_t j) {
-    return node((column + static_cast<int>(i) - 1) * level.stride,
-                (row + static_cast<int>(j) - 1) * level.stride);
-  };
+void Lattice::decide(Level& level, const Cell& cell) {
+  std::array<std::array<std::uint32_t, 4>, 4> at;
   Bicubic::Guides guides;
-  for (std::size_t j = 0; j < 4; ++j)
-    for (std::size_t i = 0; i < 4; ++i) guides[j][i] = &arrivals_[at(i, j)];
-  if (!Bicubic::agree(world_.space, guides)) return;
-  const Trail& first = trails_[at(1, 1)];
-  for (std::size_t j = 0; j < 4; ++j)
-    for (std::size_t i = 0; i < 4; ++i) {
-      const Trail& trail = trails_[at(i, j)];
-      if (!trail.known() || trail.portals() != first.portals()) return;
+  for (int j = 0; j < 4; ++j)
+    for (int i = 0; i < 4; ++i) {
+      at[j][i] = node((cell.column + i - 1) * level.stride, (cell.row + j - 1) * level.stride);
+      guides[j][i] = &arrivals_[at[j][i]];
     }
-  const bool smooth = smooth_.emplace_back().through(
-      world_.space, guides, pixel_in(level, column, row), most_third_difference(world_.space));
-  if (smooth && guard_.clear({&first, &trails_[at(2, 1)], &trails_[at(1, 2)], &trails_[at(2, 2)]},
-                             *guides[1][1]))
-    level.cells[index].smooth = static_cast<std::uint32_t>(smooth_.size() - 1);
-  else
+  if (!Bicubic::agree(world_.space, guides)) return;
+  const Trail& first = trails_[at[1][1]];
+  for (const auto& row : at)
+    for (const std::uint32_t guide : row)
+      if (!trails_[guide].known() || trails_[guide].portals() != first.portals()) return;
+  const bool smooth = smooth_.emplace_back().through(world_.space, guides, pixel_in(level, cell),
+                                                     most_third_difference(world_.space));
+  if (smooth && guard_.clear({&first, &trails_[at[1][2]], &trails_[at[2][1]], &trails_[at[2][2]]},
+                             *guides[1][1])) {
+    const int index =
+        (cell.row - level.first_row) * level.columns + cell.column - level.first_column;
+    level.smooth[static_cast<std::size_t>(index)] = static_cast<std::uint32_t>(smooth_.size() - 1);
+  } else {
     smooth_.pop_back();
+  }
 }
 
-void Lattice::settle(Level& level, std::span<const FilmPlace> places, Tally& tally) {
-  undecided_.clear();
-  for (const std::uint32_t sample : left_) {
-    const std::uint32_t index = spot_in(level, places[sample]).cell;
-    Cell& cell = level.cells[index];
-    if (cell.decided) continue;
-    cell.decided = true;
-    undecided_.push_back(index);
-  }
+void Lattice::settle(Level& level, Tally& tally) {
   if (undecided_.empty()) return;
   send_guides(level, tally);
-  for (const std::uint32_t cell : undecided_) decide(level, cell);
+  for (const Cell& cell : undecided_) decide(level, cell);
 }
 
-void Lattice::interpolate(const Level& level, std::span<const FilmPlace> places,
-                          std::span<Arrival> arrivals) {
-  std::size_t kept = 0;
+void Lattice::settle_from(int row, Tally& tally) {
+  const int end = std::min(coarse_.first_row + coarse_.rows,
+                           row + std::max(1, cells_at_once / coarse_.columns));
+  undecided_.clear();
+  for (int j = row; j < end; ++j)
+    for (int i = 0; i < coarse_.columns; ++i) undecided_.push_back({coarse_.first_column + i, j});
+  settle(coarse_, tally);
+  undecided_.clear();
+  for (int j = 2 * row; j < 2 * end; ++j)
+    for (int i = 0; i < fine_.columns; ++i) {
+      const int column = fine_.first_column + i;
+      const Spot larger = spot_in(coarse_, {1.0 * column * spacing, 1.0 * j * spacing});
+      const bool outside = column * spacing >= tile_.x1 || (column + 1) * spacing <= tile_.x0 ||
+                           j * spacing >= tile_.y1 || (j + 1) * spacing <= tile_.y0;
+      if (!outside && coarse_.smooth[larger.cell] == none) undecided_.push_back({column, j});
+    }
+  settle(fine_, tally);
+  settled_ = end * coarse_.stride * spacing;
+}
+
+std::uint32_t Lattice::smooth_at(const FilmPlace& place, Spot& spot) const {
+  spot = spot_in(coarse_, place);
+  if (const std::uint32_t smooth = coarse_.smooth[spot.cell]; smooth != none) return smooth;
+  spot = spot_in(fine_, place);
+  return fine_.smooth[spot.cell];
+}
+
+void Lattice::advance(std::span<const FilmPlace> places, std::span<Arrival> arrivals,
+                      Tally& tally) {
+  left_.clear();
   // Samples come along rows of pixels: with one in each, a cell's row is worked out once.
   std::optional<Bicubic::Row> row;
-  std::uint32_t at = none;
+  std::uint32_t last = none;
   double above = 0.0;
-  for (const std::uint32_t sample : left_) {
-    const Spot spot = spot_in(level, places[sample]);
-    const std::uint32_t smooth = level.cells[spot.cell].smooth;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (places[i].y >= settled_) {
+      settle_from(static_cast<int>(places[i].y) / (2 * spacing), tally);
+      last = none;
+    }
+    Spot spot;
+    const std::uint32_t smooth = smooth_at(places[i], spot);
     if (smooth == none) {
-      left_[kept++] = sample;
+      left_.push_back(static_cast<std::uint32_t>(i));
       continue;
     }
-    if (smooth != at || spot.v != above) {
+    if (smooth != last || spot.v != above) {
       row.emplace(smooth_[smooth], spot.v);
-      at = smooth;
+      last = smooth;
       above = spot.v;
     }
-    row->tell(spot.u, arrivals[sample]);
+    row->tell(spot.u, arrivals[i]);
   }
-  left_.resize(kept);
+  tally.interpolated += places.size() - left_.size();
+  send_left(places, arrivals);
 }
 
 void Lattice::send_left(std::span<const FilmPlace> places, std::span<Arrival> arrivals) {
@@ -299,18 +351,6 @@ void Lattice::send_left(std::span<const FilmPlace> places, std::span<Arrival> ar
   }
   portalens::advance(world_.space, own_, found_);
   for (std::size_t i = 0; i < left_.size(); ++i) arrivals[left_[i]] = found_[i];
-}
-
-void Lattice::advance(std::span<const FilmPlace> places, std::span<Arrival> arrivals,
-                      Tally& tally) {
-  left_.resize(places.size());
-  std::iota(left_.begin(), left_.end(), 0u);
-  for (Level* level : {&coarse_, &fine_}) {
-    settle(*level, places, tally);
-    interpolate(*level, places, arrivals);
-  }
-  tally.interpolated += places.size() - left_.size();
-  send_left(places, arrivals);
 }
 
 }  // namespace portalens

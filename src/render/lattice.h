@@ -83,27 +83,28 @@ class Lattice {
   void lay_over(const Window& tile);
 
   /// Where the photons of camera samples arrive.
-  /// @param places  of the samples on the film, within the tile
+  /// @param places  of the samples on the film, within the tile; no row of pixels comes after one
+  ///                below it, in other calls neither
   void advance(std::span<const FilmPlace> places, std::span<Arrival> arrivals, Tally& tally);
 
  private:
   static constexpr std::uint32_t none = 0xffffffff;
 
-  struct Cell {
-    bool decided = false;
-    std::uint32_t smooth = none;  ///< which polynomial
-  };
   /// Cells of one size: their column and row are counted from that of the first.
   struct Level {
-    int stride = 1;  ///< nodes from corner to corner
+    int stride;  ///< nodes from corner to corner
     int first_column = 0, first_row = 0, columns = 0, rows = 0;
-    std::vector<Cell> cells{};
+    std::vector<std::uint32_t> smooth{};  ///< the polynomial of each cell, if there is one
 
-    void lay_over(const Window& tile);
+    /// So many cells, none of them smooth.
+    void clear(int first_column, int first_row, int columns, int rows);
   };
-  /// A sample in its cell.
+  struct Cell {
+    int column, row;
+  };
+  /// A place in its cell.
   struct Spot {
-    std::uint32_t cell;
+    std::size_t cell;
     double u, v;  ///< shares of the cell, from its upper left corner
   };
 
@@ -113,21 +114,23 @@ class Lattice {
                   static_cast<std::size_t>(column - first_column_)];
   }
   [[nodiscard]] static Spot spot_in(const Level& level, const FilmPlace& place);
-  void settle(Level& level, std::span<const FilmPlace> places, Tally& tally);
+  void settle_from(int row, Tally& tally);
+  void settle(Level& level, Tally& tally);
   void send_guides(const Level& level, Tally& tally);
-  void decide(Level& level, std::uint32_t cell);
+  void decide(Level& level, const Cell& cell);
   [[nodiscard]] const PixelSpan& pixel_at(int column, int row);
   /// At the corner of the cell where it is least.
-  [[nodiscard]] PixelSpan pixel_in(const Level& level, int column, int row);
-  /// Keeps in `left_` the samples that could not be.
-  void interpolate(const Level& level, std::span<const FilmPlace> places,
-                   std::span<Arrival> arrivals);
+  [[nodiscard]] PixelSpan pixel_in(const Level& level, const Cell& cell);
+  /// @return the polynomial for that place, and puts into `spot` where that is
+  [[nodiscard]] std::uint32_t smooth_at(const FilmPlace& place, Spot& spot) const;
   void send_left(std::span<const FilmPlace> places, std::span<Arrival> arrivals);
 
   const World& world_;
   const BeamGuard& guard_;
   FilmCamera view_;
+  Window tile_;
   Level coarse_{2}, fine_{1};
+  double settled_ = 0.0;  ///< the place on the film down to where cells are decided
   int first_column_ = 0, first_row_ = 0;
   std::size_t columns_ = 0;
   std::vector<std::uint32_t> nodes_;
@@ -136,10 +139,10 @@ class Lattice {
   std::vector<Arrival> arrivals_;  ///< of the guides
   std::vector<Trail> trails_;      ///< of the guides, and room for more
   std::vector<Bicubic> smooth_;
-  std::vector<std::uint32_t> left_;       ///< samples that are not answered yet
-  std::vector<std::uint32_t> undecided_;  ///< cells
-  std::vector<Photon> own_;               ///< photons of such samples
-  std::vector<Arrival> found_;
+  std::vector<Cell> undecided_;
+  std::vector<std::uint32_t> left_;  ///< samples whose photons go their own way
+  std::vector<Photon> own_;          ///< these
+  std::vector<Arrival> found_;       ///< and what they found
 };
 
 }  // namespace portalens

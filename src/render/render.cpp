@@ -15,8 +15,9 @@
 namespace portalens {
 namespace {
 
-/// Camera photons that travel together at most.
-constexpr std::uint64_t most_in_wave = 8192;
+/// Camera photons that travel together at most: many lanes full, and few enough that they stay in
+/// the processor's caches until they are shaded.
+constexpr std::uint64_t most_in_wave = 1024;
 /// Pixels whose layers are taken at once at most.
 constexpr std::uint64_t most_layer_pixels = 4096;
 
@@ -258,12 +259,21 @@ void copy_tile(const Exposure& exposure, std::size_t tile, std::uint64_t done,
 
 }  // namespace
 
+int tile_size_of(const World& world, const RenderOptions& options) {
+  if (options.tile_size) return *options.tile_size;
+  constexpr int small = 32, large = 64;
+  // A lattice reaches beyond its tile: of small ones more guides are sent twice. Where samples are
+  // many, guides are few beside them.
+  constexpr std::int64_t few_samples = 4;
+  return interpolates(world, options) && world.sampling.samples <= few_samples ? large : small;
+}
+
 Assignment assignment_of(const World& world, const RenderOptions& options) {
   const Window film{0, 0, world.film.width, world.film.height};
   const auto samples = static_cast<std::uint32_t>(world.sampling.samples);
   return {film,           options.crop.value_or(film),
           samples,        options.samples.value_or(SampleRange{0, samples}),
-          options.layers, options.tile_size};
+          options.layers, tile_size_of(world, options)};
 }
 
 bool interpolates(const World& world, const RenderOptions& options) {

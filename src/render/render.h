@@ -22,8 +22,8 @@ namespace portalens {
 enum class Photons : std::uint8_t { fewer, all };
 
 struct RenderOptions {
-  int threads = 0;     ///< 0: as many as the machine runs at once
-  int tile_size = 32;  ///< pixels along a tile's side, >= 1
+  int threads = 0;               ///< 0: as many as the machine runs at once
+  std::optional<int> tile_size;  ///< pixels along a tile's side, >= 1; by default `tile_size_of`
   Engine engine = Engine::automatic;
   Photons photons = Photons::fewer;
   std::optional<Window> crop;  ///< the part of the picture to take; it must lie within the film
@@ -62,6 +62,9 @@ struct RenderResult {
   double seconds = 0.0;  ///< of wall time
   Completion completion = Completion::complete;
 };
+
+/// Pixels along a tile's side.
+[[nodiscard]] int tile_size_of(const World& world, const RenderOptions& options);
 
 /// What the options ask of a world's picture.
 [[nodiscard]] Assignment assignment_of(const World& world, const RenderOptions& options);
