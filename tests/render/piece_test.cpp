@@ -6,7 +6,11 @@
 
 #include <algorithm>
 #include <atomic>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <limits>
+#include <string>
 
 #include "math/random.h"
 #include "render/merge.h"
@@ -192,6 +196,21 @@ TEST(Piece, MergeNamesGapsOverlapsAndDifferences) {
 
   const PieceFile unfinished = piece(*begun(part_options(8, right), 2));
   EXPECT_NE(told(faults_of_merge({one(left), unfinished})).find("not finished"), std::string::npos);
+}
+
+/// Else what is tried on the way to them never sees more than the door.
+TEST(Piece, SeedsForFuzzingAreReadAsWhatTheyAre) {
+  const std::filesystem::path seeds = PORTALENS_SOURCE_DIR "/fuzz/seeds/checkpoint";
+  int read = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(seeds)) {
+    std::ifstream stream(entry.path(), std::ios::binary);
+    std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+    bytes.resize(
+        std::min(bytes.size(), bytes.find("portalens piece", 1)));  // of several, the first
+    EXPECT_NO_THROW((void)PieceFile(entry.path().string(), bytes).exposure()) << entry.path();
+    ++read;
+  }
+  EXPECT_GE(read, 8);
 }
 
 TEST(Piece, EveryChangedByteIsNoticed) {
