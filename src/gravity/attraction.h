@@ -31,7 +31,8 @@ template <class Real>
 /// How much a mass's nearness shortens steps, by the cosine of the angle between the path and the
 /// way to it: a step away from a mass sees its field change the less the longer it is, one towards
 /// it the more. It is 1 straight towards it, and lets a step across be 1.4 times as long, one away
-/// 2.5 times. Measured, as what leaves the error at the end as it is with the fewest steps.
+/// 2.5 times. Measured on pictures of one and of three masses: a sixth fewer steps, for errors
+/// that are up to twice as large and far below the tolerance.
 template <class Real>
 [[nodiscard]] Real approach_weight(Real cosine) {
   const Real share = Real(0.7) + Real(0.3) * cosine;

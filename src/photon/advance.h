@@ -55,16 +55,13 @@ class Tracer {
 
   /// One flight or step; whether the photon has arrived.
   bool one_step() {
-    const Physics& physics = space_.physics;
     Arrival& arrival = travel_.arrival;
     if (!is_finite(travel_.state.position) || !is_finite(travel_.state.direction))
       return end(Fate::lost);
     vicinity_.cover(travel_.state.position, 0.0);
     if (const auto mass = horizon_around(space_.masses, vicinity_.near(), travel_.state.position))
       return absorb(*mass);
-    if (arrival.turning > physics.max_turning) return end(Fate::trapped);
-    if (arrival.steps >= physics.max_steps || arrival.length > physics.max_length)
-      return end(Fate::lost);
+    if (gives_up()) return true;
     ++arrival.steps;
 
     if (restless_) {
@@ -77,6 +74,16 @@ class Tracer {
     }
     if (far_from_all()) return true;
     return step();
+  }
+
+  /// Ends a way that has gone too far; whether it has.
+  bool gives_up() {
+    const Physics& physics = space_.physics;
+    const Arrival& arrival = travel_.arrival;
+    if (arrival.turning > physics.max_turning) return end(Fate::trapped);
+    if (arrival.steps >= physics.max_steps || arrival.length > physics.max_length)
+      return end(Fate::lost);
+    return false;
   }
 
   /// What happens where the way meets something, at the place where it is; whether it ends there.

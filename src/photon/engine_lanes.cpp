@@ -98,7 +98,7 @@ class LaneDriver {
     const bool arrived = event == LaneEvent::portal    ? meet_portal(way, object)
                          : event == LaneEvent::horizon ? scalar_.absorb(plan_.mass_of(object))
                                                        : scalar_.one_step();
-    if (arrived) {
+    if (arrived || scalar_.gives_up()) {
       arrival = scalar_.way().arrived();
       end(lane);
     } else {

@@ -52,11 +52,13 @@ template <class R>
 
 /// The same for a way of speed 1 that bends, at right angles to its direction, by √`bend2`, and by
 /// `inward` over the distance towards the middle.
+/// @param within  it counts as within the sphere, whatever rounding says close to it
 template <class R>
-[[nodiscard]] R until_sphere_on_curve(R ahead, R outside, R inward, R bend2) {
+[[nodiscard]] R until_sphere_on_curve(typename R::Mask within, R ahead, R outside, R inward,
+                                      R bend2) {
   const R square = ahead * ahead - outside;
   const R root = square * inverse_sqrt(max(square, R(1e-30)));
-  const R s = ahead + select(outside < R(0), root, -root);
+  const R s = ahead + select(within, root, -root);
   // |at|² - R² = outside - 2 ahead s + (1 - inward) s² + bend2 s⁴/4, and one step of Newton's
   // method on it; all but what is written here is 0 at s.
   const R s2 = s * s, curl = bend2 * R(0.25) * s2;

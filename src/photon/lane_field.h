@@ -85,8 +85,8 @@ struct LaneField {
     for (int i = 0; i < scene.mass_count; ++i) {
       const LaneMass& mass = scene.masses[i];
       const R inward = dot(spread<R>(mass.center) - x, bend);
-      least = min(least,
-                  until_sphere_on_curve(along[i], squares[i] - R(mass.influence2), inward, bend2));
+      least = min(least, until_sphere_on_curve(inside[i] > R(0), along[i],
+                                               squares[i] - R(mass.influence2), inward, bend2));
     }
     for (int g = 0; g < scene.gate_count; ++g) {
       const LaneGate& gate = scene.gates[g];

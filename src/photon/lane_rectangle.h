@@ -78,13 +78,13 @@ template <class R, class Rectangle>
   const auto inside_x = abs(local.x) <= R(rectangle.half_width);
   const auto inside_y = abs(local.y) <= R(rectangle.half_height);
   const auto other_x =
-      (inside_x & (foot.keep_x == R(0))) | (!inside_x & (foot.fix_x * local.x <= R(0)));
+      (inside_x & (foot.keep_x == R(0))) | ((!inside_x) & (foot.fix_x * local.x <= R(0)));
   const auto other_y =
-      (inside_y & (foot.keep_y == R(0))) | (!inside_y & (foot.fix_y * local.y <= R(0)));
+      (inside_y & (foot.keep_y == R(0))) | ((!inside_y) & (foot.fix_y * local.y <= R(0)));
   const auto other = other_x | other_y;
   const auto wraps = inside_x & inside_y & (local.z < R(-rectangle.tolerance));
   if (!any(wraps)) return other;
-  return (wraps & !foot.same(foot_on(rectangle, local))) | (!wraps & other);
+  return (wraps & !foot.same(foot_on(rectangle, local))) | ((!wraps) & other);
 }
 
 /// A step's path in the local coordinates of a rectangle.

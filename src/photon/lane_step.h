@@ -190,8 +190,7 @@ class LaneStepper {
       if (!any(towards)) continue;
       const V center = spread<R>(mass.center);
       const V last = end.position - center;
-      const R last2 = dot(last, last);
-      Mask falls = towards & (last2 <= R(mass.horizon2));
+      Mask falls = towards & (dot(last, last) <= R(mass.horizon2));
       const LaneDistance<R> outside{path, center, R(mass.horizon2)};
       R inside(1);
       // Not at its end, but where it is nearest.
@@ -202,9 +201,7 @@ class LaneStepper {
         falls = falls | (passes & (outside.at(nearest) <= R(0)));
       }
       if (!any(falls)) continue;
-      // As if it came nearer evenly.
-      const R from = sqrt(distance2), to = min(sqrt(last2), R(mass.horizon));
-      const R guess = inside * (from - R(mass.horizon)) / select(falls, from - to, R(1));
+      const R guess = outside.surface_from(inside, R(-1));
       found.offer(falls, crossing(falls, outside, guess, R(1), R(0), inside), LaneEvent::horizon,
                   R(i));
     }

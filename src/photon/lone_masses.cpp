@@ -23,6 +23,8 @@ bool is_alone(const Space& space, std::uint32_t index, double graze) {
   const Mass& mass = space.masses[index];
   const double radius = mass.influence * (1.0 + 1e-6) + 2.0 * graze;
   const Vec3d center = mass.center;
+  // Light that begins within it takes steps, and should take them in lanes.
+  if (space.viewpoint && length(*space.viewpoint - center) <= radius) return false;
   if (space.surfaces.clearance(center, 2.0 * radius) <= radius ||
       space.portals.clearance(center, 2.0 * radius) <= radius)
     return false;

@@ -27,9 +27,9 @@ struct LoneMasses {
 };
 
 /// Those without a core and with a horizon that no surface, no portal, nothing that comes through
-/// one and no other mass touches within their finite influence; and for which a table's errors
-/// stay below a tenth of the tolerance in radians, and below the tolerance as a share of the
-/// influence's radius.
+/// one and no other mass touches within their finite influence, and no viewpoint; and for which a
+/// table's errors stay below a tenth of the tolerance in radians, and below the tolerance as a
+/// share of the influence's radius.
 /// @param graze  ways that run through less of an influence may be left as they are
 /// @param most  no more are given
 [[nodiscard]] LoneMasses lone_masses(const Space& space, double graze, std::size_t most);

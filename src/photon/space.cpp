@@ -9,7 +9,8 @@
 namespace portalens {
 
 Space::Space(Physics the_physics, std::uint32_t crossings, std::vector<Shape> shapes,
-             std::vector<Portal> the_portals, std::vector<Mass> the_masses)
+             std::vector<Portal> the_portals, std::vector<Mass> the_masses,
+             std::optional<Vec3d> the_viewpoint)
     : physics(std::move(the_physics)),
       max_crossings(crossings),
       surfaces(std::move(shapes)),
@@ -20,7 +21,8 @@ Space::Space(Physics the_physics, std::uint32_t crossings, std::vector<Shape> sh
           make_coupling(physics.portal_gravity, {portals.portals(), masses, physics.min_force,
                                                  static_cast<int>(physics.portal_gravity_depth),
                                                  static_cast<int>(physics.graviton_resolution),
-                                                 physics.tolerance * physics.c * physics.c})) {
+                                                 physics.tolerance * physics.c * physics.c})),
+      viewpoint(the_viewpoint) {
   Box box = surfaces.bounds();
   for (const Portal& portal : portals.portals())
     for (const Vec3d& vertex : portal.vertices) box.add(vertex);

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "geometry/accelerator.h"
@@ -20,7 +21,8 @@ struct LanePlan;
 /// Immutable once made; safe from any thread.
 struct Space {
   Space(Physics physics, std::uint32_t max_crossings, std::vector<Shape> shapes,
-        std::vector<Portal> portals, std::vector<Mass> masses);
+        std::vector<Portal> portals, std::vector<Mass> masses,
+        std::optional<Vec3d> viewpoint = std::nullopt);
   Space(Space&&) noexcept;
   ~Space();
 
@@ -33,6 +35,7 @@ struct Space {
   Coupling coupling;
   double extent = 1.0;     ///< a length of the scene's size: surfaces, portals, finite influences
   bool unbounded = false;  ///< some influence is infinite
+  std::optional<Vec3d> viewpoint;  ///< where most photons begin; nothing depends on it but speed
   std::unique_ptr<const LanePlan> lanes;  ///< null where lanes can't do it
 };
 

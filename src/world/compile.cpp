@@ -168,7 +168,7 @@ World compile(const Scene& scene, const CompileOptions& options) {
   for (Light& light : emitters(objects, look.materials)) look.lights.push_back(std::move(light));
   look.bodies = std::move(objects.bodies);
   Space space(physics, max_crossings, std::move(objects.shapes), std::move(objects.portals),
-              std::move(objects.masses));
+              std::move(objects.masses), camera.position);
   World world{scene.file,
               std::move(space),
               std::move(look),

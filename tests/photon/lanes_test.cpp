@@ -124,6 +124,43 @@ TEST(Lanes, APhotonsAnswerDoesNotDependOnItsNeighbours) {
   }
 }
 
+TEST(Lanes, MeetAHorizonFromFarAwayWhereItIs) {
+  // The horizon is larger than the influence, so that ways are straight until they meet it.
+  const Physics physics = physics_with(1e-4, 800.0);
+  const Space space =
+      space_with(physics, {mass_at({0, 0, 0}, standard_gm, physics)}, {Sphere({0, 0, -50}, 30.0)});
+  for (const double distance : {2.5, 5.0, 20.0, 100.0, 400.0})
+    for (const double aside : {0.0, 0.7, 1.5, 1.9, 1.97, 1.98}) {
+      const Photon photon = photon_at({0, aside, distance}, {0, 0, -1});
+      Arrival lanes;
+      advance(space, {&photon, 1}, {&lanes, 1});
+      const Arrival scalar = advance_one(space, photon);
+      ASSERT_EQ(lanes.fate, scalar.fate) << distance << " " << aside;
+      EXPECT_LT(length(lanes.position - scalar.position), 1e-4 * distance) << distance;
+    }
+}
+
+TEST(Lanes, LeaveAnInfluenceThatTheyGrazeWhereItEnds) {
+  const Physics physics = physics_with(1e-4, 10.0);  // R = 14.1
+  const Space space =
+      space_with(physics, {mass_at({0, 0, 0}, standard_gm, physics)}, {Sphere({0, 0, 0}, 2.5)});
+  Random random(3);
+  int off = 0;
+  const int count = scaled(20000);
+  std::vector<Photon> photons;
+  for (int i = 0; i < count; ++i) {
+    const Vec3d from{5, 20, 120};
+    photons.push_back(photon_at(from, random.point(18.0) - from));
+  }
+  std::vector<Arrival> lanes(photons.size()), scalar(photons.size());
+  advance(space, photons, lanes);
+  advance(space, photons, scalar, Engine::scalar);
+  for (std::size_t i = 0; i < photons.size(); ++i)
+    if (lanes[i].fate == Fate::escaped && scalar[i].fate == Fate::escaped)
+      off += length(lanes[i].direction - scalar[i].direction) > 2e-3 ? 1 : 0;
+  EXPECT_EQ(off, 0);
+}
+
 TEST(Lanes, LeaveWhatTheyCanNotDoToTheScalarEngine) {
   Physics physics = physics_with(1e-7);
   EXPECT_FALSE(space_with(physics, {}).lanes);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "geometry/closest_point.h"
@@ -241,16 +242,28 @@ TEST(LoneMasses, AreSeenFromWithinAsTheScalarEngineSeesThem) {
   }
 }
 
+TEST(LoneMasses, HoldNoViewpoint) {
+  const Physics physics = lone_physics();
+  for (const double distance : {10.0, 44.0, 50.0}) {
+    const Space space(physics, 16, {}, {}, {mass_at_origin()}, Vec3d{0, distance, 0});
+    EXPECT_EQ(lone_count(space), distance > 45.0 ? 1 : 0);
+    EXPECT_EQ(space.lanes->stepped.size(), distance > 45.0 ? 0u : 1u);
+  }
+}
+
 TEST(LoneMasses, LeaveLimitsAsTheyAre) {
   const Mass mass = mass_at_origin();
-  for (int limit = 0; limit < 3; ++limit) {
+  const std::array<Vec3d, 4> behind = {
+      {{-60, -90, -90}, {-60, 90, -90}, {-60, 90, 90}, {-60, -90, 90}}};
+  for (int limit = 0; limit < 4; ++limit) {
     Physics physics = lone_physics();
     if (limit == 0) physics.max_turning = 0.3;
     if (limit == 1) physics.max_length = 100.0;
     if (limit == 2) physics.max_length = 60.0;
-    const Space space = space_with(physics, {mass});
+    if (limit == 3) physics.max_length = 140.0;
+    const Space space = space_with(physics, {mass}, {Quad(behind)});
     ASSERT_EQ(lone_count(space), 1);
-    const auto photons = photons_from({90, 0, 0}, 10.0, scaled(500));
+    const auto photons = photons_from({90, 0, 0}, 40.0, scaled(500));
     std::vector<Arrival> lanes(photons.size()), scalar(photons.size());
     advance(space, photons, lanes);
     advance(space, photons, scalar, Engine::scalar);
