@@ -5,6 +5,7 @@
 
 #include "gravity/crossing_formulas.h"
 #include "photon/lane_border.h"
+#include "photon/lane_four.h"
 #include "photon/lane_path.h"
 #include "photon/lane_rectangle.h"
 #include "photon/lane_scene.h"
@@ -129,18 +130,7 @@ class LaneCrossing {
   };
 
   /// What a cell holds of one power.
-  struct Four {
-    using Floats = float __attribute__((vector_size(16)));
-    Floats values;
-
-    static Four load(const float* at) {
-      Four four;
-      __builtin_memcpy(&four.values, at, sizeof four.values);
-      return four;
-    }
-    friend Four operator+(Four a, Four b) { return {a.values + b.values}; }
-    friend Four operator*(Four a, float s) { return {a.values * s}; }
-  };
+  using Four = LaneFour<R>;
 
   /// Lane by lane: what one needs lies together.
   [[nodiscard]] static Values look_up(Mask here, const Masses& masses, R cell) {

@@ -4,6 +4,7 @@
 
 #include "gravity/graviton_bilinear.h"
 #include "photon/lane_field.h"
+#include "photon/lane_four.h"
 #include "photon/lane_rectangle.h"
 
 namespace portalens {
@@ -99,18 +100,7 @@ class LaneGravitonMap {
 
  private:
   /// What a node holds.
-  struct Four {
-    using Values = float __attribute__((vector_size(16)));
-    Values values;
-
-    static Four load(const float* at) {
-      Four four;
-      __builtin_memcpy(&four.values, at, sizeof four.values);
-      return four;
-    }
-    friend Four operator+(Four a, Four b) { return {a.values + b.values}; }
-    friend Four operator*(Four a, float s) { return {a.values * s}; }
-  };
+  using Four = LaneFour<R>;
 
   /// A place on a grid, lane by lane, in cells from its corner; `held` within the grid.
   struct alignas(64) Spot {
