@@ -2,10 +2,8 @@
 /// The way of one photon, from its start to its fate: equations.md, sec. 1 and 6.
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include "gravity/field.h"
@@ -172,11 +170,7 @@ class Tracer {
     }
     move_on(end_, h, curve.turning(h));
     bending_ = end_bending_;
-    if constexpr (!I::fixed_step) {
-      restless_ = changed_ || bending_.nearness == 0.0;
-    } else {
-      restless_ = true;
-    }
+    restless_ = I::fixed_step || changed_ || bending_.nearness == 0.0;
     return false;
   }
 
@@ -335,9 +329,7 @@ class Tracer {
 
   [[nodiscard]] std::optional<Encounter> obstacle_on(const Curve& curve) {
     const double h = curve.length();
-    if (free_length_ < h) {
-      free_length_ = obstacles_.clearance(travel_.state.position, 8.0 * h);
-    }
+    if (free_length_ < h) free_length_ = obstacles_.clearance(travel_.state.position, 8.0 * h);
     if (free_length_ >= h) {
       free_length_ -= h;
       return std::nullopt;
