@@ -22,10 +22,6 @@ PointLight PointLight::from(Parameters& parameters) {
   return light;
 }
 
-LightSample PointLight::sample(double, double) const {
-  return {position, {}, intensity, Shining::everywhere};
-}
-
 ShapeLight::ShapeLight(std::string its_name, Shape its_shape, Rgb its_emitted)
     : name(std::move(its_name)),
       shape(std::move(its_shape)),
@@ -77,19 +73,6 @@ LightSample sample_light(const Light& light, double u1, double u2) {
 
 std::uint32_t sample_count(const Light& light, std::uint32_t shadow_samples) {
   return std::holds_alternative<PointLight>(light) ? 1 : shadow_samples;
-}
-
-Rgb irradiance(const LightSample& sample, Vec3d x, Vec3d n) {
-  const Vec3d way = sample.position - x;
-  const double distance = length(way);
-  if (!(distance > 0.0)) return {};
-  const double here = dot(n, way) / distance;
-  if (!(here > 0.0)) return {};
-  double there = 1.0;
-  if (sample.shining != Shining::everywhere) there = dot(sample.normal, way) / distance;
-  if (sample.shining == Shining::both_sides) there = std::fabs(there);
-  if (!(there > 0.0)) return {};
-  return sample.power * (here * there / (distance * distance));
 }
 
 }  // namespace portalens

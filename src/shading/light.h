@@ -2,6 +2,7 @@
 /// What gives light: points, and surfaces that emit. equations.md, sec. 7.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -34,7 +35,9 @@ struct PointLight {
   Rgb intensity;  ///< W/sr
 
   static PointLight from(Parameters& parameters);
-  [[nodiscard]] LightSample sample(double u1, double u2) const;
+  [[nodiscard]] LightSample sample(double /*u1*/, double /*u2*/) const {
+    return {position, {}, intensity, Shining::everywhere};
+  }
 };
 
 /// A shape all of which emits the same.
@@ -77,6 +80,17 @@ using Light = std::variant<PointLight, ShapeLight, TriangleLight>;
 /// How many samples of it a surface takes: a point needs only one.
 [[nodiscard]] std::uint32_t sample_count(const Light& light, std::uint32_t shadow_samples);
 /// Irradiance of a surface at `x` with unit normal `n`, from this sample, nothing being in the way.
-[[nodiscard]] Rgb irradiance(const LightSample& sample, Vec3d x, Vec3d n);
+[[nodiscard]] inline Rgb irradiance(const LightSample& sample, Vec3d x, Vec3d n) {
+  const Vec3d way = sample.position - x;
+  const double distance = length(way);
+  if (!(distance > 0.0)) return {};
+  const double here = dot(n, way) / distance;
+  if (!(here > 0.0)) return {};
+  double there = 1.0;
+  if (sample.shining != Shining::everywhere) there = dot(sample.normal, way) / distance;
+  if (sample.shining == Shining::both_sides) there = std::fabs(there);
+  if (!(there > 0.0)) return {};
+  return sample.power * (here * there / (distance * distance));
+}
 
 }  // namespace portalens

@@ -7,14 +7,6 @@
 namespace portalens {
 namespace {
 
-/// The largest whole number not above x. Beyond 2^62 all doubles are even, and 0 stands for them.
-std::int64_t floored(double x) {
-  constexpr double most = 0x1p62;
-  if (!(x > -most && x < most)) return 0;
-  const auto towards_zero = static_cast<std::int64_t>(x);
-  return towards_zero - (static_cast<double>(towards_zero) > x);
-}
-
 /// The remainder of the floored division, in [0, period).
 double wrapped(double x, double period) {
   const double rest = x - std::floor(x / period) * period;
@@ -77,20 +69,10 @@ Rgb bilinear(const Image& image, double x, double y, Rows rows) {
   return mixed_colors(top, bottom, row.share);
 }
 
-Rgb Checker::at(const SurfacePoint& point) const {
-  const std::int64_t a = floored((point.flat ? point.along : point.u) / size);
-  const std::int64_t b = floored((point.flat ? point.across : point.v) / size);
-  return ((a ^ b) & 1) == 0 ? first : second;
-}
-
 Rgb Picture::at(const SurfacePoint& point) const {
   const double x = wrapped(point.u, 1.0) * image->width;
   const double y = (1.0 - wrapped(point.v, 1.0)) * image->height;
   return bilinear(*image, x, y, Rows::repeat);
-}
-
-Rgb color_at(const Texture& texture, const SurfacePoint& point) {
-  return std::visit([&](const auto& kind) { return kind.at(point); }, texture);
 }
 
 Rgb brightest(const Texture& texture) {

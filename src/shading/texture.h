@@ -2,6 +2,7 @@
 /// What colour a surface has where: one colour, a checker, or an image.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -27,7 +28,20 @@ struct Constant {
 struct Checker {
   Rgb first, second;
   double size = 1.0;
-  [[nodiscard]] Rgb at(const SurfacePoint& point) const;
+  [[nodiscard]] Rgb at(const SurfacePoint& point) const {
+    const std::int64_t a = floored((point.flat ? point.along : point.u) / size);
+    const std::int64_t b = floored((point.flat ? point.across : point.v) / size);
+    return ((a ^ b) & 1) == 0 ? first : second;
+  }
+
+ private:
+  /// The largest whole number not above x. Beyond 2^62 all doubles are even, and 0 stands for them.
+  [[nodiscard]] static std::int64_t floored(double x) {
+    constexpr double most = 0x1p62;
+    if (!(x > -most && x < most)) return 0;
+    const auto towards_zero = static_cast<std::int64_t>(x);
+    return towards_zero - (static_cast<double>(towards_zero) > x);
+  }
 };
 
 /// Bilinear, repeated in both directions; v = 0 is the bottom row.
@@ -38,7 +52,9 @@ struct Picture {
 
 using Texture = std::variant<Constant, Checker, Picture>;
 
-[[nodiscard]] Rgb color_at(const Texture& texture, const SurfacePoint& point);
+[[nodiscard]] inline Rgb color_at(const Texture& texture, const SurfacePoint& point) {
+  return std::visit([&](const auto& kind) { return kind.at(point); }, texture);
+}
 
 /// The largest value of each channel anywhere on the texture.
 [[nodiscard]] Rgb brightest(const Texture& texture);
