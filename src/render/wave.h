@@ -56,6 +56,7 @@ struct WaveRoom {
   std::vector<Photon> wave, offspring;
   std::vector<Arrival> arrivals;
   ShadeOutput found;
+  ShadowScreen near;  ///< of what may cast shadows there
 };
 
 /// Adds to `light[photon.sample]` what each photon of `room.wave` and its offspring find. A
@@ -72,11 +73,13 @@ void carry_light(const Space& space, const Appearance& appearance, WaveRoom& roo
                  std::vector<std::uint32_t>* lost = nullptr) {
   // So few that what shading gives stays in the nearest cache until it is used.
   constexpr std::size_t most_photons = 256, most_queries = std::size_t{1} << 16;
+  // So few shadow queries that their ways mostly lie close together.
+  constexpr std::size_t most_neighbours = 32;
   const std::size_t each = std::max<std::size_t>(1, most_shadow_queries(space, appearance));
   const std::size_t slice = std::max<std::size_t>(1, std::min(most_photons, most_queries / each));
 
   const ShadowScreen screen(space);
-  auto& [wave, offspring, arrivals, found] = room;
+  auto& [wave, offspring, arrivals, found, near] = room;
   tally.samples += wave.size();
   while (!wave.empty()) {
     arrivals.resize(wave.size());
@@ -97,9 +100,14 @@ void carry_light(const Space& space, const Appearance& appearance, WaveRoom& roo
       shade(space, appearance, photons, arrived, found);
       tally.shading += watch.lap();
       for (const Gleam& gleam : found.light) light[gleam.sample] += gleam.radiance;
-      for (const ShadowQuery& query : found.shadows)
-        if (screen.surely_free(query) || visible(space, query))
-          light[query.sample] += query.contribution;
+      for (std::span<const ShadowQuery> left = found.shadows; !left.empty();) {
+        const auto neighbours = left.first(std::min(most_neighbours, left.size()));
+        left = left.subspan(neighbours.size());
+        near.narrow(screen, neighbours);
+        for (const ShadowQuery& query : neighbours)
+          if (near.surely_free(query) || visible(space, query))
+            light[query.sample] += query.contribution;
+      }
       tally.shadow_queries += found.shadows.size();
       offspring.insert(offspring.end(), found.offspring.begin(), found.offspring.end());
       tally.shadowing += watch.lap();

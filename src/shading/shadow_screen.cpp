@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace portalens {
 namespace {
@@ -24,21 +25,26 @@ Vec3d absolute(Vec3d x) { return {std::fabs(x.x), std::fabs(x.y), std::fabs(x.z)
 
 }  // namespace
 
-/// A straight way, prepared.
+/// A straight way, prepared; or many that stay about it.
 struct ShadowScreen::Way {
-  const Departure& departure;
   Vec3d from, to, whole;
-  double slack;
-  double whole_square, inverse_square;
+  double slack;  ///< how far beside it things must lie
+  Departure departure{};
 
   explicit Way(const ShadowQuery& query)
-      : departure(query.departure),
-        from(query.from),
+      : from(query.from),
         to(query.to - (query.to - query.from) * before_light),
         whole(to - from),
         slack(rounding_share * (size(from) + size(to))),
-        whole_square(dot(whole, whole)),
-        inverse_square(1.0 / whole_square) {}
+        departure(query.departure) {}
+
+  /// From the middle of the box that all come from to that of the one where they go.
+  Way(const Box& begin, const Box& end)
+      : from(begin.middle()), to(end.middle()), whole(to - from), slack(0.0) {
+    const Vec3d aside = begin.high - begin.low, there = end.high - end.low;
+    const double spread = 0.5 * std::max(length(aside), length(there));
+    slack = spread + 2.0 * rounding_share * (size(from) + size(aside) + size(to) + size(there));
+  }
 };
 
 ShadowScreen::ShadowScreen(const Space& space) {
@@ -104,14 +110,15 @@ bool ShadowScreen::misses(const Way& way, const Plane& plane) {
 bool ShadowScreen::misses(const Way& way, const Ball& ball) {
   const Vec3d to_center = ball.center - way.from;
   const double onwards = dot(to_center, way.whole);
-  const double along = std::clamp(onwards * way.inverse_square, 0.0, 1.0);
+  const double whole_square = dot(way.whole, way.whole);
+  const double along = std::clamp(onwards / whole_square, 0.0, 1.0);
   const Vec3d nearest = to_center - way.whole * along;
   const double reach = ball.radius + ball.slack + way.slack;
   if (dot(nearest, nearest) > reach * reach) return true;
   if (ball.shape != way.departure.shape || !(way.departure.side > 0.0)) return false;
   constexpr double steep = 1e-3, on = 1e-9;
   const double square = ball.radius * ball.radius, away = dot(to_center, to_center);
-  return onwards < 0.0 && onwards * onwards > steep * steep * away * way.whole_square &&
+  return onwards < 0.0 && onwards * onwards > steep * steep * away * whole_square &&
          std::fabs(away - square) <= on * square && way.departure.reach >= 1e-6 * ball.radius;
 }
 
@@ -129,8 +136,41 @@ bool ShadowScreen::misses(const Way& way, const Block& block) {
          std::fabs(m.x * h.y - m.y * h.x) > b.x * s.y + b.y * s.x;
 }
 
+/// Whether all begin on the polygon and leave it to the side on which they end.
+bool ShadowScreen::is_left(const Plane& plane, const Way& way,
+                           std::span<const ShadowQuery> queries) {
+  const double end = dot(plane.normal, way.to) - plane.offset;
+  if (!(std::fabs(end) > plane.block.slack + way.slack)) return false;
+  return std::all_of(queries.begin(), queries.end(), [&](const ShadowQuery& query) {
+    return query.portal != no_portal ||
+           (query.departure.shape == plane.block.shape && query.departure.side * end > 0.0 &&
+            std::fabs(dot(plane.normal, query.from) - plane.offset) <= plane.rounding);
+  });
+}
+
+void ShadowScreen::narrow(const ShadowScreen& whole, std::span<const ShadowQuery> queries) {
+  Box begin, end;
+  for (const ShadowQuery& query : queries) {
+    if (query.portal != no_portal) continue;
+    begin.add(query.from);
+    end.add(query.to);
+  }
+  const Way way(begin, end);
+  const auto take_near = [](const auto& all, auto& near, const auto& far) {
+    near.clear();
+    std::remove_copy_if(all.begin(), all.end(), std::back_inserter(near), far);
+  };
+  const auto missed = [&](const auto& obstacle) { return misses(way, obstacle); };
+  complete_ = whole.complete_;
+  take_near(whole.planes_, planes_,
+            [&](const Plane& plane) { return misses(way, plane) || is_left(plane, way, queries); });
+  take_near(whole.balls_, balls_, missed);
+  take_near(whole.blocks_, blocks_, missed);
+}
+
 bool ShadowScreen::surely_free(const ShadowQuery& query) const {
   if (!complete_ || query.portal != no_portal) return false;
+  if (planes_.empty() && balls_.empty() && blocks_.empty()) return true;
   const Way way(query);
   const auto missed = [&](const auto& obstacle) { return misses(way, obstacle); };
   return std::all_of(planes_.begin(), planes_.end(), missed) &&

@@ -1,10 +1,11 @@
 /// \file
 /// A quick look along shadow rays. Most ways to a light pass everything by far: that is seen from
 /// planes, balls and boxes around what a scene holds, with a few products each, and `visible` need
-/// not be asked.
+/// not be asked. Most of these in turn lie far from all ways of a batch.
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "shading/shadow.h"
@@ -15,10 +16,14 @@ namespace portalens {
 /// from any thread, and quickly made: for a few hundred queries it pays.
 class ShadowScreen {
  public:
+  ShadowScreen() = default;  ///< nothing is surely free
   explicit ShadowScreen(const Space& space);
 
   /// True only if `visible(space, query)` is. What comes through a portal is left to that.
   [[nodiscard]] bool surely_free(const ShadowQuery& query) const;
+
+  /// Makes this a screen for those queries alone, of what `whole` holds near any of them.
+  void narrow(const ShadowScreen& whole, std::span<const ShadowQuery> queries);
 
  private:
   /// Of an obstacle: with the coordinates' own rounding, by how much a way must miss it.
@@ -48,6 +53,8 @@ class ShadowScreen {
   [[nodiscard]] static bool misses(const Way& way, const Plane& plane);
   [[nodiscard]] static bool misses(const Way& way, const Ball& ball);
   [[nodiscard]] static bool misses(const Way& way, const Block& block);
+  [[nodiscard]] static bool is_left(const Plane& plane, const Way& way,
+                                    std::span<const ShadowQuery> queries);
 
   bool complete_ = false;
   std::vector<Plane> planes_;

@@ -61,20 +61,17 @@ Space random_space(test::Random& random, Vec3d at) {
                      masses);
 }
 
-/// A place that a photon reached from somewhere, and how it leaves towards `to`; or anywhere.
-ShadowQuery random_query(const Space& space, test::Random& random, Vec3d at) {
+Vec3d sample_of_some(const Space& space, test::Random& random) {
+  const Shape& shape = space.surfaces.shapes()[static_cast<std::size_t>(random.uniform(0, 9))];
+  const double u1 = random.uniform(0, 1), u2 = random.uniform(0, 1);
+  return std::visit([&](const auto& s) { return s.sample(u1, u2).position; }, shape);
+}
+
+/// The place that a photon reaches from `from`, and how it leaves towards `to`; or `from`.
+ShadowQuery query_where_met(const Space& space, Vec3d from, Vec3d toward, Vec3d to) {
   ShadowQuery query;
-  query.from = at + random.point(5);
-  query.to = at + random.point(5);
-  const auto& shapes = space.surfaces.shapes();
-  const auto some = [&] { return shapes[static_cast<std::size_t>(random.uniform(0, 9))]; };
-  const auto sample = [&](const Shape& shape) {
-    const double u1 = random.uniform(0, 1), u2 = random.uniform(0, 1);
-    return std::visit([&](const auto& s) { return s.sample(u1, u2).position; }, shape);
-  };
-  if (random.uniform(0, 1) < 0.5) query.to = sample(some());
-  if (random.uniform(0, 1) < 0.2) return query;
-  const Vec3d from = at + random.point(5), toward = normalize(sample(some()) - from);
+  query.from = from;
+  query.to = to;
   const auto hit = space.surfaces.nearest({from, toward}, 0.0, 1e6);
   if (!hit) return query;
   query.from = from + toward * hit->distance;
@@ -82,6 +79,19 @@ ShadowQuery random_query(const Space& space, test::Random& random, Vec3d at) {
       space.surfaces.surface_at(hit->shape, hit->face, query.from).geometric_normal;
   const double side = dot(query.to - query.from, normal) < 0.0 ? -1.0 : 1.0;
   query.departure = {hit->shape, hit->face, side, 1e-6 * (length(query.from) + 10.0)};
+  return query;
+}
+
+/// The same from somewhere; or one from anywhere.
+ShadowQuery random_query(const Space& space, test::Random& random, Vec3d at) {
+  const Vec3d from = at + random.point(5);
+  const Vec3d to =
+      random.uniform(0, 1) < 0.5 ? sample_of_some(space, random) : at + random.point(5);
+  if (random.uniform(0, 1) >= 0.2)
+    return query_where_met(space, from, normalize(sample_of_some(space, random) - from), to);
+  ShadowQuery query;
+  query.from = from;
+  query.to = to;
   return query;
 }
 
@@ -106,6 +116,41 @@ TEST(ShadowScreen, WhatItTakesForFreeIsVisible) {
   EXPECT_GT(from_surfaces, test::scaled(5000));
 }
 
+TEST(ShadowScreen, NarrowedToNeighboursItTakesWhatItTookForFreeAndOnlyVisibleWays) {
+  test::Random random(3);
+  int free = 0;
+  ShadowScreen near;
+  for (int i = 0; i < test::scaled(2000); ++i) {
+    const Vec3d at = random.point(i % 4 == 0 ? 1e6 : 10);
+    const Space space = random_space(random, at);
+    const ShadowScreen screen(space);
+    const double spread = std::pow(10.0, random.uniform(-4, 1));
+    const Vec3d eye = at + random.point(5), aim = sample_of_some(space, random);
+    const Vec3d lamp = at + random.point(8);
+    std::vector<ShadowQuery> queries;
+    for (int k = 0; k < 20; ++k) {
+      const Vec3d toward = normalize(aim + random.point(spread) - eye);
+      const Vec3d to = i % 2 == 0 ? lamp : lamp + random.point(spread);
+      queries.push_back(query_where_met(space, eye, toward, to));
+      if (k % 8 == 7) queries.back().portal = 0;
+    }
+    near.narrow(screen, queries);
+    for (const ShadowQuery& query : queries) {
+      if (query.portal != no_portal) {
+        ASSERT_FALSE(near.surely_free(query));
+        continue;
+      }
+      if (!near.surely_free(query)) {
+        ASSERT_FALSE(screen.surely_free(query)) << "space " << i;
+        continue;
+      }
+      ASSERT_TRUE(visible(space, query)) << "space " << i;
+      ++free;
+    }
+  }
+  EXPECT_GT(free, test::scaled(10000));
+}
+
 TEST(ShadowScreen, AQuadThatIsLeftAndALampThatIsReachedDontHideTheWay) {
   const Quad floor(std::array<Vec3d, 4>{{{-9, 0, 9}, {9, 0, 9}, {9, 0, -9}, {-9, 0, -9}}});
   const Quad lamp(std::array<Vec3d, 4>{{{-1, 4, -1}, {1, 4, -1}, {1, 4, 1}, {-1, 4, 1}}});
@@ -126,6 +171,24 @@ TEST(ShadowScreen, AQuadThatIsLeftAndALampThatIsReachedDontHideTheWay) {
     const Vec3d normal = query.from - Vec3d{5, 1, 0}, way = query.to - query.from;
     if (dot(normal, way) <= 0.01 * length(way)) continue;
     EXPECT_TRUE(screen.surely_free(query));
+  }
+}
+
+TEST(ShadowScreen, OnlyWhoLeavesAQuadUpwardsIsFreeOfItThere) {
+  const Quad floor(std::array<Vec3d, 4>{{{-9, 0, 9}, {9, 0, 9}, {9, 0, -9}, {-9, 0, -9}}});
+  const Space space = plain_space({floor});
+  ShadowQuery query;
+  query.from = {0.3, 0, 0.2};
+  query.to = {1, 4, 0};
+  std::vector<ShadowQuery> queries(3, query);
+  for (ShadowQuery& each : queries) each.departure = {0, 0, 1.0, 1e-5};
+  ShadowScreen near;
+  near.narrow(ShadowScreen(space), queries);
+  EXPECT_TRUE(near.surely_free(queries[1]));
+  for (const Departure& other : {Departure{}, Departure{0, 0, -1.0, 1e-5}}) {
+    queries[1].departure = other;
+    near.narrow(ShadowScreen(space), queries);
+    EXPECT_FALSE(near.surely_free(queries[1]));
   }
 }
 
@@ -152,6 +215,10 @@ TEST(ShadowScreen, WaysThatAreNoWaysAreLeftToOthers) {
     query.from = {5, 5, 5};
     query.to = odd;
     EXPECT_FALSE(screen.surely_free(query));
+    ShadowScreen near;
+    EXPECT_FALSE(near.surely_free(query));
+    near.narrow(screen, std::array{query});
+    EXPECT_TRUE(!near.surely_free(query) || visible(space, query));
   }
 }
 
