@@ -118,7 +118,7 @@ Sight sight_of(const World& world, const Arrival& arrival, const Journey& journe
   if (arrival.fate == Fate::hit) {
     const ShadingPoint point = shading_point(world.space, world.appearance, arrival);
     sight.normal = point.normal;
-    sight.albedo = color_at(world.appearance.materials[point.material].diffuse, point.surface);
+    sight.albedo = point.diffuse;
   }
   sight.object = object_of(world, arrival);
   sight.fate = arrival.fate;

@@ -18,6 +18,11 @@ constexpr std::uint64_t mirror_purpose = std::uint64_t{1} << 32;
 constexpr std::uint64_t offspring_purpose = std::uint64_t{2} << 32;
 constexpr std::uint64_t light_purpose = std::uint64_t{3} << 32;  // + index of the light
 
+/// One comparison in place of three.
+bool is_black(Rgb light) {
+  return std::fabs(light.x) + std::fabs(light.y) + std::fabs(light.z) == 0.0;
+}
+
 /// The cells of a grid over the unit square, as square as their number allows.
 struct Strata {
   std::uint32_t columns = 1, rows = 1;
@@ -29,14 +34,12 @@ struct Strata {
   }
 };
 
-/// Shades arrivals, one at a time.
+/// Shades arrivals, one at a time. The way that most of them go is inlined as a whole, and what few
+/// ask for is kept out of it, with a copy of the shading point: so this need not lie in memory.
 class Shader {
  public:
   Shader(const Space& space, const Appearance& appearance, ShadeOutput& output)
-      : space_(space),
-        appearance_(appearance),
-        extent_(space.surfaces.bounds().diagonal()),
-        output_(output) {}
+      : space_(space), appearance_(appearance), points_(space, appearance), output_(output) {}
 
   void take(const Photon& photon, const Arrival& arrival) {
     photon_ = &photon;
@@ -58,7 +61,7 @@ class Shader {
 
  private:
   void add_light(Rgb radiance) {
-    if (radiance == Rgb{}) return;
+    if (is_black(radiance)) return;
     Gleam& gleam = output_.light.emplace_back();
     gleam.radiance = radiance;
     gleam.sample = photon_->sample;
@@ -66,20 +69,27 @@ class Shader {
   }
 
   void shade_surface() {
-    const ShadingPoint point = shading_point(space_, appearance_, extent_, *arrival_);
-    const Material& material = appearance_.materials[point.material];
-    const Rgb diffuse = color_at(material.diffuse, point.surface);
-    add_light(share_ * (material.emitted + diffuse * appearance_.limits.ambient));
-    const Rgb reflected = share_ * diffuse;
-    if (reflected != Rgb{}) ask_lights(point, reflected / std::numbers::pi);
-    if (photon_->bounces < appearance_.limits.max_bounces) send_mirrored(point, material);
+    if (const Quad* quad = points_.plain_quad(*arrival_))
+      shade_point(points_.on(*quad, *arrival_));
+    else
+      shade_other();
   }
 
-  void send_mirrored(const ShadingPoint& point, const Material& material) {
-    const Rgb share = share_ * material.reflective;
-    if (share == Rgb{}) return;
+  [[gnu::noinline]] void shade_other() { shade_point(points_.at(*arrival_)); }
+
+  [[gnu::always_inline]] void shade_point(const ShadingPoint& point) {
+    const Material& material = appearance_.materials[point.material];
+    add_light(share_ * (material.emitted + point.diffuse * appearance_.limits.ambient));
+    const Rgb reflected = share_ * point.diffuse;
+    if (!is_black(reflected)) ask_lights(point, reflected / std::numbers::pi);
+    const Rgb mirrored = share_ * material.reflective;
+    if (!is_black(mirrored) && photon_->bounces < appearance_.limits.max_bounces)
+      send_mirrored(point, mirrored, material.roughness);
+  }
+
+  [[gnu::noinline]] void send_mirrored(ShadingPoint point, Rgb share, double roughness) {
     const std::uint64_t key = combined(photon_->random_key, mirror_purpose);
-    const auto reflection = reflect(arrival_->direction, point.normal, material.roughness,
+    const auto reflection = reflect(arrival_->direction, point.normal, roughness,
                                     random_number(key, 0), random_number(key, 1));
     if (!reflection || !(dot(reflection->direction, point.outward) > 0.0)) return;
     Photon offspring;
@@ -94,26 +104,35 @@ class Shader {
     output_.offspring.push_back(offspring);
   }
 
-  void ask_lights(const ShadingPoint& point, Rgb share) {
+  [[gnu::always_inline]] void ask_lights(const ShadingPoint& point, Rgb share) {
     for (std::size_t i = 0; i < appearance_.lights.size(); ++i) {
-      const Light& light = appearance_.lights[i];
-      if (const auto* lamp = std::get_if<PointLight>(&light)) {
+      if (const auto* lamp = std::get_if<PointLight>(&appearance_.lights[i]))
         ask_light(point, lamp->sample(0.0, 0.0), share);
-        continue;
-      }
-      const std::uint32_t count = sample_count(light, appearance_.limits.shadow_samples);
-      const std::uint64_t key = combined(photon_->random_key, light_purpose + i);
-      const Strata strata(count);
-      for (std::uint32_t j = 0; j < count; ++j) {
-        const double u1 = (j % strata.columns + random_number(key, 2 * j)) / strata.columns;
-        const double u2 = (j / strata.columns + random_number(key, 2 * j + 1)) / strata.rows;
-        ask_light(point, sample_light(light, u1, u2), share / count);
-      }
+      else
+        ask_large(point, i, share);
+    }
+  }
+
+  /// A light that has an area.
+  [[gnu::noinline]] void ask_large(ShadingPoint point, std::size_t index, Rgb share) {
+    const Light& light = appearance_.lights[index];
+    const std::uint32_t count = sample_count(light, appearance_.limits.shadow_samples);
+    const std::uint64_t key = combined(photon_->random_key, light_purpose + index);
+    const Strata strata(count);
+    for (std::uint32_t j = 0; j < count; ++j) {
+      const double u1 = (j % strata.columns + random_number(key, 2 * j)) / strata.columns;
+      const double u2 = (j / strata.columns + random_number(key, 2 * j + 1)) / strata.rows;
+      ask_light(point, sample_light(light, u1, u2), share / count);
     }
   }
 
   void ask_light(const ShadingPoint& point, const LightSample& sample, Rgb share) {
     ask(point, sample, share, no_portal);
+    if (!space_.portals.portals().empty()) ask_images(point, sample, share);
+  }
+
+  /// Its images in the portals.
+  [[gnu::noinline]] void ask_images(ShadingPoint point, LightSample sample, Rgb share) {
     const std::span<const Portal> portals = space_.portals.portals();
     for (std::uint32_t i = 0; i < portals.size(); ++i) {
       const Portal& portal = portals[i];
@@ -133,10 +152,11 @@ class Shader {
         .has_value();
   }
 
-  void ask(const ShadingPoint& point, const LightSample& sample, Rgb share, std::uint32_t portal) {
+  [[gnu::always_inline]] void ask(const ShadingPoint& point, const LightSample& sample, Rgb share,
+                                  std::uint32_t portal) {
     if (!(dot(sample.position - point.position, point.outward) > 0.0)) return;
     const Rgb light = share * irradiance(sample, point.position, point.normal);
-    if (light == Rgb{}) return;
+    if (is_black(light)) return;
     ShadowQuery& query = output_.shadows.emplace_back();
     query.from = point.position;
     query.to = sample.position;
@@ -149,7 +169,7 @@ class Shader {
 
   const Space& space_;
   const Appearance& appearance_;
-  double extent_;  ///< of the surfaces
+  ShadingPoints points_;
   ShadeOutput& output_;
   const Photon* photon_ = nullptr;
   const Arrival* arrival_ = nullptr;

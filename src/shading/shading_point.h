@@ -12,28 +12,84 @@
 namespace portalens {
 
 struct ShadingPoint {
-  SurfacePoint surface;  ///< for its texture: a quad's u and v only where it is a picture
-  Vec3d position;        ///< where rays start
-  Vec3d normal;          ///< unit; like the next one on the viewer's side
-  Vec3d outward;         ///< unit; of the surface itself, where a mesh interpolates `normal`
+  Vec3d position;  ///< where rays start
+  Vec3d normal;    ///< unit; like the next one on the viewer's side
+  Vec3d outward;   ///< unit; of the surface itself, where a mesh interpolates `normal`
+  Rgb diffuse;     ///< its colour
   std::uint32_t material = 0;
   std::uint32_t shape = no_object;  ///< none for a portal's back
   std::uint32_t face = 0;
+  double front = 1.0;  ///< 1 where `outward` is the surface's own normal, -1 against it
   double reach = 0.0;  ///< of departures
 
   /// How a ray in `direction` leaves this point.
   [[nodiscard]] Departure leaving(Vec3d direction) const {
     if (shape == no_object) return {};
-    return {shape, face, dot(direction, surface.geometric_normal) < 0.0 ? -1.0 : 1.0, reach};
+    return {shape, face, front * dot(direction, outward) < 0.0 ? -1.0 : 1.0, reach};
   }
 };
 
-/// @pre the arrival has met a surface or a portal's back
-[[nodiscard]] ShadingPoint shading_point(const Space& space, const Appearance& appearance,
-                                         const Arrival& arrival);
-/// The same, for many points.
-/// @param extent  the diagonal of the box around all surfaces
-[[nodiscard]] ShadingPoint shading_point(const Space& space, const Appearance& appearance,
-                                         double extent, const Arrival& arrival);
+/// Where arrivals have met something. Borrows both.
+class ShadingPoints {
+ public:
+  ShadingPoints(const Space& space, const Appearance& appearance)
+      : space_(space),
+        appearance_(appearance),
+        shapes_(space.surfaces.shapes()),
+        extent_(space.surfaces.bounds().diagonal()) {}
+
+  /// @pre the arrival has met a surface or a portal's back
+  [[nodiscard]] ShadingPoint at(const Arrival& arrival) const;
+
+  /// The quad that was met, if its colour asks for no texture coordinates.
+  [[nodiscard]] const Quad* plain_quad(const Arrival& arrival) const {
+    if (arrival.met != Met::surface) return nullptr;
+    const auto* quad = std::get_if<Quad>(&shapes_[arrival.object]);
+    const Texture& diffuse = appearance_.materials[material_of(arrival)].diffuse;
+    return quad && !std::holds_alternative<Picture>(diffuse) ? quad : nullptr;
+  }
+  /// The same as `at`, where there is one; all of it may stay in registers.
+  [[nodiscard]] ShadingPoint on(const Quad& quad, const Arrival& arrival) const {
+    return on_surface(arrival, quad.place_at(arrival.position));
+  }
+
+ private:
+  /// Departures hold over this share of the place's and the scene's size.
+  static constexpr double departure_share = 1e-6;
+
+  [[nodiscard]] std::uint32_t material_of(const Arrival& arrival) const {
+    return appearance_.bodies[arrival.object].material_of(arrival.face);
+  }
+  [[nodiscard]] ShadingPoint on_back(const Arrival& arrival) const;
+
+  [[nodiscard]] ShadingPoint on_surface(const Arrival& arrival, const SurfacePoint& surface) const {
+    const std::uint32_t material = material_of(arrival);
+    const bool behind = dot(arrival.direction, surface.geometric_normal) > 0.0;
+    const double front = behind ? -1.0 : 1.0;
+    const Vec3d outward = surface.geometric_normal * front, normal = surface.normal * front;
+    // At the edge of its silhouette a mesh may be seen where its smooth normal looks away.
+    const bool away = dot(arrival.direction, normal) >= 0.0;
+    return {arrival.position,
+            away ? outward : normal,
+            outward,
+            color_at(appearance_.materials[material].diffuse, surface),
+            material,
+            arrival.object,
+            arrival.face,
+            front,
+            departure_share * (length(arrival.position) + extent_)};
+  }
+
+  const Space& space_;
+  const Appearance& appearance_;
+  const std::vector<Shape>& shapes_;
+  double extent_;  ///< of the surfaces
+};
+
+/// Of one.
+[[nodiscard]] inline ShadingPoint shading_point(const Space& space, const Appearance& appearance,
+                                                const Arrival& arrival) {
+  return ShadingPoints(space, appearance).at(arrival);
+}
 
 }  // namespace portalens

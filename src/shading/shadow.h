@@ -11,6 +11,8 @@ namespace portalens {
 
 /// Light that reaches the film if nothing is in its straight way.
 struct ShadowQuery {
+  ShadowQuery() {}  // not `= default`: that would clear it as a whole first, which takes long
+
   Vec3d from;                          ///< the point that is lit
   Vec3d to;                            ///< the light's point; through a portal, its image
   std::uint32_t portal = no_portal;    ///< the portal whose front it comes through

@@ -69,9 +69,9 @@ Rgb bilinear(const Image& image, double x, double y, Rows rows) {
   return mixed_colors(top, bottom, row.share);
 }
 
-Rgb Picture::at(const SurfacePoint& point) const {
-  const double x = wrapped(point.u, 1.0) * image->width;
-  const double y = (1.0 - wrapped(point.v, 1.0)) * image->height;
+Rgb Picture::at(double u, double v) const {
+  const double x = wrapped(u, 1.0) * image->width;
+  const double y = (1.0 - wrapped(v, 1.0)) * image->height;
   return bilinear(*image, x, y, Rows::repeat);
 }
 

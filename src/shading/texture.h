@@ -47,7 +47,10 @@ struct Checker {
 /// Bilinear, repeated in both directions; v = 0 is the bottom row.
 struct Picture {
   std::shared_ptr<const Image> image;
-  [[nodiscard]] Rgb at(const SurfacePoint& point) const;
+  [[nodiscard]] Rgb at(const SurfacePoint& point) const { return at(point.u, point.v); }
+
+ private:
+  [[nodiscard]] Rgb at(double u, double v) const;
 };
 
 using Texture = std::variant<Constant, Checker, Picture>;
