@@ -61,11 +61,11 @@ inline void interpolate(const World& world, const BeamGuard& guard, int every,
 /// @param travel  called as `travel(photons, arrivals)`
 template <class Travel>
 [[nodiscard]] std::vector<Rgb> take_pixels(const World& world, int every, const Travel& travel) {
+  const std::vector<Photon> photons = camera_photons(world, every);
   WaveRoom room;
-  room.wave = camera_photons(world, every);
-  std::vector<Rgb> film(room.wave.size());
+  std::vector<Rgb> film(photons.size());
   Tally tally;
-  carry_light(world.space, world.appearance, room, film, travel, tally);
+  carry_light(world.space, world.appearance, photons, room, film, travel, tally);
   return film;
 }
 

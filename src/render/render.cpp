@@ -26,6 +26,7 @@ struct TileRoom {
   WaveRoom carried;
   std::optional<Lattice> lattice;  ///< of the tile that is taken; only where there is a guard
   std::vector<FilmPlace> places;   ///< of the camera photons
+  std::vector<Photon> photons;     ///< these, and what is left of those of earlier batches
   std::vector<Rgb> light;
   std::vector<std::uint32_t> lost;
   std::vector<PixelSample> lost_places;
@@ -119,8 +120,8 @@ class TileTaker {
       else
         advance(world_.space, photons, arrivals, shared_.engine);
     };
-    carry_light(world_.space, world_.appearance, room_->carried, room_->light, travel, tally,
-                &room_->lost);
+    carry_light(world_.space, world_.appearance, std::span(room_->photons).first(count),
+                room_->carried, room_->light, travel, tally, &room_->lost);
     for (const std::uint32_t i : room_->lost) room_->lost_places.push_back(place(done_ + i));
     keep_first(room_->lost_places);
     expose_samples();
@@ -196,24 +197,23 @@ class TileTaker {
   }
 
   void send_camera_photons(std::uint64_t count) {
-    std::vector<Photon>& photons = room_->carried.wave;
+    std::vector<Photon>& photons = room_->photons;
     std::vector<FilmPlace>& places = room_->places;
-    photons.resize(count);
+    while (photons.size() < count) {  // in any batch they differ in nothing but ray and random key
+      const auto number = static_cast<std::uint32_t>(photons.size());
+      photons.emplace_back().sample = number;
+      photons.back().slot = number;
+    }
     places.resize(count);
     const PhotonSource source(world_);
     const bool random = uses_random_numbers(world_.appearance);
     PixelSample at = place(done_);
     for (std::uint64_t i = 0; i < count; ++i, go_on(at)) {
-      Photon& photon = photons[i];
       places[i] = source.place(at);
-      photon.throughput = {1, 1, 1};
-      photon.sample = photon.slot = static_cast<std::uint32_t>(i);
-      photon.bounces = 0;
-      photon.random_key = random ? source.random_key(at) : 0;
-      photon.departure = {};
+      if (random) photons[i].random_key = source.random_key(at);
     }
     if (room_->lattice) return;  // it sends few
-    source.send(places, photons);
+    source.send(places, std::span(photons).first(count));
   }
 
   Shared& shared_;

@@ -53,23 +53,23 @@ inline constexpr double most_presentable = std::numeric_limits<float>::max();
 /// The room that carrying light takes. Whoever carries often keeps it: fresh memory costs more than
 /// what is done in it.
 struct WaveRoom {
-  std::vector<Photon> wave, offspring;
+  std::vector<Photon> offspring, parents;
   std::vector<Arrival> arrivals;
   ShadeOutput found;
   ShadowScreen near;  ///< of what may cast shadows there
 };
 
-/// Adds to `light[photon.sample]` what each photon of `room.wave` and its offspring find. A
+/// Adds to `light[photon.sample]` what each of the first photons and their offspring find. A
 /// sample's light is added in order of wave, and within one first what its photon saw, then its
 /// shadow queries in their order; so its sum does not depend on which other photons travel along.
 /// In the end each light is made presentable; those that were not are counted.
-/// @param room    its wave is used up; what else is in it does not matter
+/// @param room    what is in it does not matter
 /// @param travel  advances photons to their arrivals: called as `travel(photons, arrivals)`
 /// @param lost    if given, gets the sample of each photon that is lost, and of light not a number
 /// @pre every photon's sample < light.size(), and no two photons have the same
 template <class Travel>
-void carry_light(const Space& space, const Appearance& appearance, WaveRoom& room,
-                 std::span<Rgb> light, const Travel& travel, Tally& tally,
+void carry_light(const Space& space, const Appearance& appearance, std::span<const Photon> first,
+                 WaveRoom& room, std::span<Rgb> light, const Travel& travel, Tally& tally,
                  std::vector<std::uint32_t>* lost = nullptr) {
   // So few that what shading gives stays in the nearest cache until it is used.
   constexpr std::size_t most_photons = 256, most_queries = std::size_t{1} << 16;
@@ -79,17 +79,18 @@ void carry_light(const Space& space, const Appearance& appearance, WaveRoom& roo
   const std::size_t slice = std::max<std::size_t>(1, std::min(most_photons, most_queries / each));
 
   const ShadowScreen screen(space);
-  auto& [wave, offspring, arrivals, found, near] = room;
+  auto& [offspring, parents, arrivals, found, near] = room;
+  std::span<const Photon> wave = first;
   tally.samples += wave.size();
   while (!wave.empty()) {
     arrivals.resize(wave.size());
     Stopwatch watch;
-    travel(std::span<const Photon>(wave), std::span<Arrival>(arrivals));
+    travel(wave, std::span<Arrival>(arrivals));
     tally.advancing += watch.lap();
     offspring.clear();
     for (std::size_t begin = 0; begin < wave.size(); begin += slice) {
       const std::size_t count = std::min(slice, wave.size() - begin);
-      const auto photons = std::span<const Photon>(wave).subspan(begin, count);
+      const auto photons = wave.subspan(begin, count);
       const auto arrived = std::span<const Arrival>(arrivals).subspan(begin, count);
       if (tally.count(arrived) > 0 && lost)
         for (std::size_t i = 0; i < count; ++i)
@@ -112,8 +113,8 @@ void carry_light(const Space& space, const Appearance& appearance, WaveRoom& roo
       offspring.insert(offspring.end(), found.offspring.begin(), found.offspring.end());
       tally.shadowing += watch.lap();
     }
-    if (offspring.empty()) break;
-    std::swap(wave, offspring);
+    std::swap(parents, offspring);
+    wave = parents;
   }
   for (std::size_t i = 0; i < light.size(); ++i) {
     if (is_presentable(light[i])) continue;
