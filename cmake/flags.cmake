@@ -1,5 +1,6 @@
 # Warnings and flags, for our own targets only. Never -ffast-math: all instruction sets and both
-# compilers give the same bits, which -ffp-contract=off keeps true.
+# compilers give the same bits, which -ffp-contract=off keeps true: what rounds a product and a sum
+# once is written so (`multiply_add` in src/math/pack.h).
 add_library(portalens_flags INTERFACE)
 target_compile_features(portalens_flags INTERFACE cxx_std_20)
 target_compile_options(portalens_flags INTERFACE

@@ -2,7 +2,7 @@
 /// The pull of one mass. Dunigan & Pianta, sec. 5, with Plummer's core.
 #pragma once
 
-#include "math/vec3.h"
+#include "math/multiply_add.h"
 
 namespace portalens {
 
@@ -35,7 +35,7 @@ template <class Real>
 /// that are up to twice as large and far below the tolerance.
 template <class Real>
 [[nodiscard]] Real approach_weight(Real cosine) {
-  const Real share = Real(0.7) + Real(0.3) * cosine;
+  const Real share = multiply_add(Real(0.3), cosine, Real(0.7));
   return (share * share) * (share * share);
 }
 

@@ -2,12 +2,16 @@
 /// Lanes of floats that behave like one `Real`.
 ///
 /// The instruction set is part of every type's name, so that templates of two sets never share a
-/// symbol. Only operations that IEEE 754 rounds exactly are used (+ - × ÷ √ and comparisons), and
-/// integers, so all sets give the same bits.
+/// symbol. Only operations that IEEE 754 rounds exactly are used (+ - × ÷ √, a b + c rounded once,
+/// and comparisons), and integers, so all sets give the same bits.
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 #include <xsimd/xsimd.hpp>
+
+#include "math/vec3.h"
+#include "math/wide_sum.h"
 
 namespace portalens {
 
@@ -18,15 +22,39 @@ inline constexpr float powers_of_two[] = {1,   2,   4,    8,    16,   32,   64, 
 template <class Isa>
 using Pack = xsimd::batch<float, Isa>;
 
-/// 1/√x to within 7.3e-7 of itself, for x > 0: halving the exponent gives a guess, and two steps of
+/// a b + c, rounded once.
+template <class P>
+[[nodiscard]] P multiply_add_of(P a, P b, P c) {
+  using Isa = typename P::arch_type;
+  if constexpr (std::is_same_v<Isa, xsimd::avx512bw>)
+    return _mm512_fmadd_ps(a, b, c);
+  else if constexpr (std::is_same_v<Isa, xsimd::fma3<xsimd::avx2>>)
+    return _mm256_fmadd_ps(a, b, c);
+  else
+    return multiply_add_by_doubles(a, b, c);
+}
+
+/// c - a b, rounded once.
+template <class P>
+[[nodiscard]] P subtract_product_of(P c, P a, P b) {
+  using Isa = typename P::arch_type;
+  if constexpr (std::is_same_v<Isa, xsimd::avx512bw>)
+    return _mm512_fnmadd_ps(a, b, c);
+  else if constexpr (std::is_same_v<Isa, xsimd::fma3<xsimd::avx2>>)
+    return _mm256_fnmadd_ps(a, b, c);
+  else
+    return multiply_add_by_doubles(-a, b, c);
+}
+
+/// 1/√x to within 7.6e-7 of itself, for x > 0: halving the exponent gives a guess, and two steps of
 /// Newton's method (the first with the constants that make its largest error least) the digits.
 template <class P>
 [[nodiscard]] P inverse_sqrt_of(P x) {
   using Integers = xsimd::batch<std::int32_t, typename P::arch_type>;
   const auto bits = xsimd::bitwise_cast<Integers>(x);
   P y = xsimd::bitwise_cast<P>(Integers(0x5f1ffff9) - (bits >> 1));
-  y = y * P(0.703952253f) * (P(2.38924456f) - x * y * y);
-  return y * (P(1.5f) - P(0.5f) * x * y * y);
+  y = y * P(0.703952253f) * subtract_product_of(P(2.38924456f), x * y, y);
+  return y * subtract_product_of(P(1.5f), P(0.5f) * x * y, y);
 }
 
 /// x^(-1/4) to within 0.0025 of itself, for x > 0: enough to choose a step by.
@@ -35,7 +63,8 @@ template <class P>
   using Integers = xsimd::batch<std::int32_t, typename P::arch_type>;
   const auto bits = xsimd::bitwise_cast<Integers>(x);
   const P y = xsimd::bitwise_cast<P>(Integers(0x4f584800) - (bits >> 2));
-  return y * (P(1.25f) - P(0.25f) * x * (y * y) * (y * y));
+  const P y2 = y * y;
+  return y * subtract_product_of(P(1.25f), P(0.25f) * x * y2, y2);
 }
 
 /// Two packs side by side: while one waits for its result, the other works.
@@ -82,6 +111,12 @@ struct Pair {
   friend Pair operator-(Pair x) { return {-x.a, -x.b}; }
   friend Pair operator*(Pair x, Pair y) { return {x.a * y.a, x.b * y.b}; }
   friend Pair operator/(Pair x, Pair y) { return {x.a / y.a, x.b / y.b}; }
+  friend Pair multiply_add(Pair x, Pair y, Pair z) {
+    return {multiply_add_of(x.a, y.a, z.a), multiply_add_of(x.b, y.b, z.b)};
+  }
+  friend Pair subtract_product(Pair z, Pair x, Pair y) {
+    return {subtract_product_of(z.a, x.a, y.a), subtract_product_of(z.b, x.b, y.b)};
+  }
   friend Mask operator<(Pair x, Pair y) { return {x.a < y.a, x.b < y.b}; }
   friend Mask operator<=(Pair x, Pair y) { return {x.a <= y.a, x.b <= y.b}; }
   friend Mask operator>(Pair x, Pair y) { return {x.a > y.a, x.b > y.b}; }
@@ -100,5 +135,11 @@ struct Pair {
   friend Pair min(Pair x, Pair y) { return {xsimd::min(x.a, y.a), xsimd::min(x.b, y.b)}; }
   friend Pair max(Pair x, Pair y) { return {xsimd::max(x.a, y.a), xsimd::max(x.b, y.b)}; }
 };
+
+/// As of numbers, but rounded less often.
+template <class P>
+[[nodiscard]] Pair<P> dot(Vec3<Pair<P>> a, Vec3<Pair<P>> b) {
+  return multiply_add(a.z, b.z, multiply_add(a.y, b.y, a.x * b.x));
+}
 
 }  // namespace portalens

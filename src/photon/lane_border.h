@@ -2,6 +2,8 @@
 /// Over lanes: how far it is along a way to a plane or a sphere.
 #pragma once
 
+#include "math/multiply_add.h"
+
 namespace portalens {
 
 /// A length that no way comes to.
@@ -34,7 +36,7 @@ struct FirstPlane {
   }
   /// By one step of Newton's method from the straight way.
   [[nodiscard]] R along_the_curve() const {
-    const R better = at - at * at * turn * R(0.5) / (rate + at * turn);
+    const R better = at - at * at * turn * R(0.5) / multiply_add(at, turn, rate);
     return select(abs(better - at) < at * R(0.5), better, at);
   }
 };
@@ -62,7 +64,7 @@ template <class R>
   // |at|² - R² = outside - 2 ahead s + (1 - inward) s² + bend2 s⁴/4, and one step of Newton's
   // method on it; all but what is written here is 0 at s.
   const R s2 = s * s, curl = bend2 * R(0.25) * s2;
-  const R slope = (s - ahead) + s * (R(2) * curl - inward);
+  const R slope = multiply_add(s, curl + curl - inward, s - ahead);
   const R more = s2 * (inward - curl) * R(0.5) / slope;
   const auto trusted = abs(more) < abs(s) * R(0.5);
   return select((square > R(0)) & (s > R(0)), select(trusted, s + more, s), R(never));

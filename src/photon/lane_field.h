@@ -4,6 +4,7 @@
 #pragma once
 
 #include "gravity/attraction.h"
+#include "math/multiply_add.h"
 #include "math/vec3.h"
 #include "photon/lane_rectangle.h"
 #include "photon/lane_scene.h"
@@ -39,11 +40,11 @@ struct LaneField {
       const Vec3<R> to_mass = spread<R>(mass.center) - x;
       squares[i] = dot(to_mass, to_mass);
       along[i] = dot(to_mass, t);
-      const auto within = squares[i] - R(2) * ahead * along[i] < R(mass.influence2);
+      const auto within = subtract_product(squares[i], R(2) * ahead, along[i]) < R(mass.influence2);
       inside[i] = select(within, R(mass.gm), R(0));
       acting = acting | within;
     }
-    if (scene.gate_count > 0) decide_gates(x + t * ahead);
+    if (scene.gate_count > 0) decide_gates(multiply_add(t, ahead, x));
   }
 
   /// Square of the distance of a mass from the step's start.
@@ -57,9 +58,9 @@ struct LaneField {
     for (int i = 0; i < scene.mass_count; ++i) {
       const LaneMass& mass = scene.masses[i];
       const R core2(mass.core2), m2(mass.gm * mass.gm);
-      const R b2 = squares[i] + core2 - along[i] * along[i];
+      const R b2 = subtract_product(squares[i] + core2, along[i], along[i]);
       const Source source = pull_of(squares[i] + core2, inside[i]);
-      sum.acceleration += (spread<R>(mass.center) - x) * source.pull;
+      sum.acceleration = multiply_add(spread<R>(mass.center) - x, source.pull, sum.acceleration);
       add(sum, source, inside[i], path_weight(m2, max(b2, R(0))),
           approach_weight(along[i] * source.inverse));
     }
@@ -71,7 +72,8 @@ struct LaneField {
     Vec3<R> sum{R(0), R(0), R(0)};
     for (int i = 0; i < scene.mass_count; ++i) {
       const Vec3<R> to_mass = spread<R>(scene.masses[i].center) - x;
-      sum += to_mass * pull_of(dot(to_mass, to_mass) + R(scene.masses[i].core2), inside[i]).pull;
+      const R d2 = dot(to_mass, to_mass) + R(scene.masses[i].core2);
+      sum = multiply_add(to_mass, pull_of(d2, inside[i]).pull, sum);
     }
     if (scene.gate_count > 0) sum += through_gates(x, [](int, const Source&, R) {});
     return sum;
@@ -130,8 +132,8 @@ struct LaneField {
       feet[g] = foot_on(gate, local);
       qx[g] = feet[g].x(local);
       qy[g] = feet[g].y(local);
-      const R dx = local.x - qx[g], dy = local.y - qy[g];
-      const auto near = (dx * dx + dy * dy + local.z * local.z < R(gate.reach2)) & (above > R(0));
+      const Vec3<R> from{local.x - qx[g], local.y - qy[g], local.z};
+      const auto near = (dot(from, from) < R(gate.reach2)) & (above > R(0));
       reached[g] = select(near, R(1), R(0));
       acting = acting | near;
       for (int i = 0; i < scene.mass_count; ++i) {
@@ -179,16 +181,17 @@ struct LaneField {
     }
     return through_gates(x, [&](int g, const Source& source, R gm) {
       const R inverse4 = source.inverse2 * source.inverse2;
-      sum.stiffness =
-          sum.stiffness + source.pull * source.inverse2 * (R(distant_weight) * slowness[g]);
-      sum.nearness = sum.nearness + select(gm > R(0), inverse4 * slowness[g], R(0));
+      sum.stiffness = multiply_add(source.pull * source.inverse2, R(distant_weight) * slowness[g],
+                                   sum.stiffness);
+      sum.nearness =
+          select(gm > R(0), multiply_add(inverse4, slowness[g], sum.nearness), sum.nearness);
     });
   }
 
   static void add(LaneBending<R>& sum, const Source& source, R gm, R weight, R approach) {
-    sum.stiffness = sum.stiffness + source.pull * source.inverse2 * weight;
-    sum.nearness =
-        sum.nearness + select(gm > R(0), source.inverse2 * source.inverse2 * approach, R(0));
+    sum.stiffness = multiply_add(source.pull * source.inverse2, weight, sum.stiffness);
+    const R nearness = multiply_add(source.inverse2 * source.inverse2, approach, sum.nearness);
+    sum.nearness = select(gm > R(0), nearness, sum.nearness);
   }
 
   /// What comes through the gates; `tell` hears of every mass seen through one.
@@ -204,9 +207,9 @@ struct LaneField {
       for (int i = 0; i < scene.mass_count; ++i) {
         const Vec3<R> to_mass = spread<R>(scene.gates[g].images[i]) - Vec3<R>{qx[g], qy[g], R(0)};
         const Source source = pull_of(dot(to_mass, to_mass) + R(scene.masses[i].core2), seen[g][i]);
-        ax[g] = ax[g] + to_mass.x * source.pull;
-        ay[g] = ay[g] + to_mass.y * source.pull;
-        az[g] = az[g] + to_mass.z * source.pull;
+        ax[g] = multiply_add(to_mass.x, source.pull, ax[g]);
+        ay[g] = multiply_add(to_mass.y, source.pull, ay[g]);
+        az[g] = multiply_add(to_mass.z, source.pull, az[g]);
         tell(g, source, seen[g][i]);
       }
     }
@@ -215,16 +218,18 @@ struct LaneField {
     for (int g = scene.gate_count - 1; g >= 0; --g) {
       const LaneGate& gate = scene.gates[g];
       if (gate.parent < 0) {
-        sum += spread<R>(gate.right) * ax[g] + spread<R>(gate.up) * ay[g] +
-               spread<R>(gate.normal) * az[g];
+        sum = multiply_add(spread<R>(gate.right), ax[g], sum);
+        sum = multiply_add(spread<R>(gate.up), ay[g], sum);
+        sum = multiply_add(spread<R>(gate.normal), az[g], sum);
         continue;
       }
-      const Vec3<R> turned = spread<R>(gate.to_parent_x) * ax[g] +
-                             spread<R>(gate.to_parent_y) * ay[g] +
-                             spread<R>(gate.to_parent_z) * az[g];
-      ax[gate.parent] = ax[gate.parent] + turned.x;
-      ay[gate.parent] = ay[gate.parent] + turned.y;
-      az[gate.parent] = az[gate.parent] + turned.z;
+      Vec3<R> turned{ax[gate.parent], ay[gate.parent], az[gate.parent]};
+      turned = multiply_add(spread<R>(gate.to_parent_x), ax[g], turned);
+      turned = multiply_add(spread<R>(gate.to_parent_y), ay[g], turned);
+      turned = multiply_add(spread<R>(gate.to_parent_z), az[g], turned);
+      ax[gate.parent] = turned.x;
+      ay[gate.parent] = turned.y;
+      az[gate.parent] = turned.z;
     }
     return sum;
   }
@@ -233,8 +238,9 @@ struct LaneField {
     const LaneGate& gate = scene.gates[g];
     if (gate.parent < 0)
       return to_axes(x - spread<R>(gate.origin), gate.right, gate.up, gate.normal);
-    return spread<R>(gate.offset) + spread<R>(gate.by_x) * qx[gate.parent] +
-           spread<R>(gate.by_y) * qy[gate.parent];
+    return multiply_add(
+        spread<R>(gate.by_y), qy[gate.parent],
+        multiply_add(spread<R>(gate.by_x), qx[gate.parent], spread<R>(gate.offset)));
   }
 };
 

@@ -2,6 +2,7 @@
 /// Over lanes: the path of one step, and where it meets planes and balls.
 #pragma once
 
+#include "math/multiply_add.h"
 #include "math/vec3.h"
 #include "photon/radau.h"
 
@@ -18,7 +19,7 @@ R span(Vec3<R> v) {
 template <class R>
 Vec3<R> unit(Vec3<R> v) {
   const R square = dot(v, v);
-  R scale = R(1.5) - R(0.5) * square;
+  R scale = subtract_product(R(1.5), R(0.5), square);
   const auto off = abs(square - R(1)) > R(1e-3);
   if (any(off)) scale = select(off, R(1) / sqrt(square), scale);
   return v * scale;
@@ -29,9 +30,13 @@ template <class R, class T>
 struct LaneQuintic {
   T c0, c1, c2, c3, c4, c5;
 
-  [[nodiscard]] T at(R u) const { return c0 + (c1 + (c2 + (c3 + (c4 + c5 * u) * u) * u) * u) * u; }
+  [[nodiscard]] T at(R u) const {
+    const T end = multiply_add(multiply_add(multiply_add(c5, u, c4), u, c3), u, c2);
+    return multiply_add(multiply_add(end, u, c1), u, c0);
+  }
   [[nodiscard]] T slope(R u) const {
-    return c1 + (c2 * R(2) + (c3 * R(3) + (c4 * R(4) + c5 * (R(5) * u)) * u) * u) * u;
+    const T end = multiply_add(multiply_add(c5, R(5) * u, c4 * R(4)), u, c3 * R(3));
+    return multiply_add(multiply_add(end, u, c2 * R(2)), u, c1);
   }
 
   friend LaneQuintic operator+(const LaneQuintic& a, const LaneQuintic& b) {
@@ -107,7 +112,7 @@ struct LanePath {
     const R along = -dot(from, place.c1);
     const R length2 = dot(place.c1, place.c1);
     const R share = min(max(along, R(0)), length2) / length2;
-    const V nearest = from + place.c1 * share;
+    const V nearest = multiply_add(place.c1, share, from);
     const R within = (radius + stray) * R(1.0001);
     return dot(nearest, nearest) <= within * within;
   }

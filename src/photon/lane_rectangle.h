@@ -3,6 +3,7 @@
 /// decides it changes along a way.
 #pragma once
 
+#include "math/multiply_add.h"
 #include "math/vec3.h"
 #include "photon/lane_border.h"
 #include "photon/lane_path.h"
@@ -32,8 +33,8 @@ template <class R>
 struct LaneFoot {
   R keep_x, fix_x, keep_y, fix_y;
 
-  [[nodiscard]] R x(Vec3<R> local) const { return keep_x * local.x + fix_x; }
-  [[nodiscard]] R y(Vec3<R> local) const { return keep_y * local.y + fix_y; }
+  [[nodiscard]] R x(Vec3<R> local) const { return multiply_add(keep_x, local.x, fix_x); }
+  [[nodiscard]] R y(Vec3<R> local) const { return multiply_add(keep_y, local.y, fix_y); }
   [[nodiscard]] typename R::Mask same(const LaneFoot& other) const {
     return (keep_x == other.keep_x) & (fix_x == other.fix_x) & (keep_y == other.keep_y) &
            (fix_y == other.fix_y);
@@ -48,7 +49,7 @@ template <class R>
 [[nodiscard]] R slowness_of(R speed_x, R speed_y) {
   // A bent way soon moves what a straight one would leave in its place.
   const R least2(0.03);
-  const R speed2 = speed_x * speed_x + speed_y * speed_y + least2;
+  const R speed2 = multiply_add(speed_x, speed_x, multiply_add(speed_y, speed_y, least2));
   return speed2 * speed2;
 }
 

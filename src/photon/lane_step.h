@@ -2,6 +2,7 @@
 /// One step of every lane: the default integrator over packs, with the events it may end in.
 #pragma once
 
+#include "math/multiply_add.h"
 #include "photon/lane_coupled.h"
 #include "photon/lane_crossing.h"
 #include "photon/lane_field.h"
@@ -89,7 +90,7 @@ class LaneStepper {
     V x1 = end.position, t1 = end.direction;
     const V turned = end.direction - t;
     const R chord2 = dot(turned, turned);
-    R length = h, angle = sqrt(chord2) * (R(1) + chord2 * R(1.0 / 24.0));
+    R length = h, angle = sqrt(chord2) * multiply_add(chord2, R(1.0 / 24.0), R(1));
     if (any(ends)) {
       const R u = select(ends, found.share, R(1));
       length = length * u;
@@ -172,7 +173,8 @@ class LaneStepper {
     if (scene_.gate_count + scene_.map_count == 0) return;
     const R over(scene_.overshoot);
     // What changes just before the end has been foreseen.
-    const V before = end.position - end.direction * (path.h * R(2e-3) + R(2) * over);
+    const V before =
+        subtract_product(end.position, end.direction, multiply_add(path.h, R(2e-3), R(2) * over));
     const R change = field.first_change(which, path, before);
     found.offer(change <= R(1), change + over / path.h, LaneEvent::none, R(-1));
   }
@@ -185,8 +187,9 @@ class LaneStepper {
       // Straight on, as far as it may stray from that.
       const R ahead = field.ahead(i), distance2 = field.distance2(i);
       const R reach = path.h + R(mass.horizon), aside = path.stray + R(mass.horizon);
-      const Mask towards = (ahead > R(0)) & (distance2 < reach * reach) &
-                           (distance2 * R(0.999999) - ahead * ahead < aside * aside);
+      const Mask towards =
+          (ahead > R(0)) & (distance2 < reach * reach) &
+          (subtract_product(distance2 * R(0.999999), ahead, ahead) < aside * aside);
       if (!any(towards)) continue;
       const V center = spread<R>(mass.center);
       const V last = end.position - center;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "math/multiply_add.h"
 #include "photon/integrator_settings.h"
 #include "photon/step.h"
 
@@ -92,14 +93,16 @@ struct Bends {
   /// Their sum with weights, of the first `count`.
   template <std::size_t count>
   [[nodiscard]] Vec3<Real> sum(const std::array<double, 4>& weights) const {
-    return sum(weights, std::make_index_sequence<count>());
+    return sum(weights, std::make_index_sequence<count - 1>());
   }
 
  private:
   template <std::size_t... j>
   [[nodiscard]] Vec3<Real> sum(const std::array<double, 4>& weights,
                                std::index_sequence<j...>) const {
-    return (... + (at[j] * Real(weights[j])));
+    Vec3<Real> sum = at[0] * Real(weights[0]);
+    ((sum = multiply_add(at[j + 1], Real(weights[j + 1]), sum)), ...);
+    return sum;
   }
 };
 
@@ -131,7 +134,8 @@ struct Radau {
   template <class Real>
   [[nodiscard]] static Real propose(Real stiffness, Real nearness, Real stiffness_weight,
                                     Real nearness_weight) {
-    return inverse_fourth_root(stiffness * stiffness_weight + nearness * nearness_weight);
+    return inverse_fourth_root(
+        multiply_add(nearness, nearness_weight, stiffness * stiffness_weight));
   }
   [[nodiscard]] double propose(double stiffness, double nearness) const {
     return propose(stiffness, nearness, stiffness_weight, nearness_weight);
@@ -145,22 +149,22 @@ struct Radau {
     Bends<Real> bends;
     auto& [k0, k1, k2, k3] = bends.at;
     const auto place = [&](double node, Vec3<Real> bent) {
-      return x + (t * Real(node) + bent * h) * h;
+      return multiply_add(multiply_add(bent, h, t * Real(node)), h, x);
     };
     k0 = turning_part(start_acceleration, t);
     const Vec3<Real> a1 =
         acceleration(place(radau_nodes[1], bends.template sum<1>(place_from_before[1])));
-    k1 = turning_part(a1, t + k0 * (Real(radau_nodes[1]) * h));
-    k1 = turning_part(a1, t + (k0 + k1) * (Real(0.5 * radau_nodes[1]) * h));
+    k1 = turning_part(a1, multiply_add(k0, Real(radau_nodes[1]) * h, t));
+    k1 = turning_part(a1, multiply_add(k0 + k1, Real(0.5 * radau_nodes[1]) * h, t));
     const Vec3<Real> a2 =
         acceleration(place(radau_nodes[2], bends.template sum<2>(place_from_before[2])));
-    k2 = turning_part(a2, t + bends.template sum<2>(turn_from_before[2]) * h);
+    k2 = turning_part(a2, multiply_add(bends.template sum<2>(turn_from_before[2]), h, t));
     const Vec3<Real> a3 =
         acceleration(place(radau_nodes[3], bends.template sum<3>(place_from_before[3])));
-    k3 = turning_part(a3, t + bends.template sum<3>(turn_from_before[3]) * h);
-    const Vec3<Real> t1 = t + bends.template sum<4>(turn_from_all[1]) * h;
-    const Vec3<Real> t2 = t + bends.template sum<4>(turn_from_all[2]) * h;
-    const Vec3<Real> t3 = t + bends.template sum<4>(turn_from_all[3]) * h;
+    k3 = turning_part(a3, multiply_add(bends.template sum<3>(turn_from_before[3]), h, t));
+    const Vec3<Real> t1 = multiply_add(bends.template sum<4>(turn_from_all[1]), h, t);
+    const Vec3<Real> t2 = multiply_add(bends.template sum<4>(turn_from_all[2]), h, t);
+    const Vec3<Real> t3 = multiply_add(bends.template sum<4>(turn_from_all[3]), h, t);
     k1 = turning_part(a1, t1);
     k2 = turning_part(a2, t2);
     k3 = turning_part(a3, t3);
@@ -171,8 +175,9 @@ struct Radau {
   template <class Real>
   [[nodiscard]] static StateOf<Real> end(StateOf<Real> state, const Bends<Real>& bends, Real h) {
     using namespace radau_details;
-    return {state.position + (state.direction + bends.template sum<4>(end_place) * h) * h,
-            state.direction + bends.template sum<4>(end_turn) * h};
+    const Vec3<Real> x = state.position, t = state.direction;
+    return {multiply_add(multiply_add(bends.template sum<4>(end_place), h, t), h, x),
+            multiply_add(bends.template sum<4>(end_turn), h, t)};
   }
 
   template <class Acceleration>

@@ -2,7 +2,7 @@
 /// What every integrator's step starts from and gives back.
 #pragma once
 
-#include "math/vec3.h"
+#include "math/multiply_add.h"
 
 namespace portalens {
 
@@ -22,7 +22,7 @@ struct StepResult {
 /// The part of g/c² that turns a photon: dt/ds = (g - (g·t) t) / c². Dunigan & Pianta, sec. 5.
 template <class Real>
 [[nodiscard]] constexpr Vec3<Real> turning_part(Vec3<Real> acceleration, Vec3<Real> direction) {
-  return acceleration - direction * dot(acceleration, direction);
+  return subtract_product(acceleration, direction, dot(acceleration, direction));
 }
 
 }  // namespace portalens
