@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstring>
 #include <limits>
 #include <variant>
 
@@ -17,7 +19,20 @@ constexpr double widening = 1.25;
 /// How often a piece of a beam is halved that comes near an obstacle.
 constexpr int most_halvings = 5;
 
-Vec3d wide(Vec3<float> v) { return {v.x, v.y, v.z}; }
+/// A place, and how long the way to it is.
+using Reached = float __attribute__((vector_size(16)));
+
+Reached reached(const Waypoint& point) {
+  static_assert(offsetof(Waypoint, place) == 0 && offsetof(Waypoint, length) == 12);
+  Reached found;
+  std::memcpy(&found, &point, sizeof found);
+  return found;
+}
+Vec3d place_of(Reached at) { return {at[0], at[1], at[2]}; }
+float square_between(Reached a, Reached b) {
+  const Reached d = a - b, squares = d * d;
+  return squares[0] + squares[1] + squares[2];
+}
 
 /// Whether the whole segment lies on one side of the quad's plane, further away than that.
 bool beside_plane(const Quad& quad, Vec3d a, Vec3d b, double distance) {
@@ -44,17 +59,16 @@ class BeamGuard::Follower {
     while (points_[at_].stretch < stretch) ++at_;
   }
   /// The place at that length within the stretch, or its nearer end.
-  [[nodiscard]] Vec3d place(float length) {
+  [[nodiscard]] Reached place(float length) {
     while (more() && points_[at_ + 1].length < length) ++at_;
-    const Waypoint& a = points_[at_];
-    if (!more() || length <= a.length) return wide(a.place);
-    const Waypoint& b = points_[at_ + 1];
-    const double share = double{length - a.length} / double{b.length - a.length};
-    return wide(a.place) + (wide(b.place) - wide(a.place)) * share;
+    const Reached a = reached(points_[at_]);
+    if (!more() || length <= a[3]) return a;
+    const Reached b = reached(points_[at_ + 1]);
+    return a + (b - a) * ((length - a[3]) / (b[3] - a[3]));
   }
-  [[nodiscard]] Vec3d last() {
+  [[nodiscard]] Reached last() {
     while (more()) ++at_;
-    return wide(points_[at_].place);
+    return reached(points_[at_]);
   }
 
  private:
@@ -101,37 +115,36 @@ void BeamGuard::add(const Shape* shape, const Box& box, Met kind, std::uint32_t 
   obstacles_.push_back({shape, box.middle(), 0.5 * box.diagonal(), kind, index});
 }
 
-std::vector<BeamGuard::Piece> BeamGuard::beam_of(const std::array<const Trail*, 4>& trails) {
+void BeamGuard::follow(const std::array<const Trail*, 4>& trails, Beam& beam) {
   std::array<Follower, 3> others{Follower(*trails[1]), Follower(*trails[2]), Follower(*trails[3])};
   const auto points = trails[0]->points();
-  std::vector<Piece> beam;
-  beam.reserve(points.size());
   double before = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Waypoint& point = points[i];
-    const Vec3d place = wide(point.place);
+    const Reached here = reached(point);
     const bool first = i == 0 || points[i - 1].stretch != point.stretch;
     const bool last = i + 1 == points.size() || points[i + 1].stretch != point.stretch;
-    double square = 0.0;
-    const auto reach_to = [&](Vec3d other) {
-      square = std::max(square, dot(other - place, other - place));
-    };
+    float square = 0.0f;
     for (Follower& other : others) {
       if (first) other.enter(point.stretch);
-      reach_to(other.place(point.length));
-      if (last) reach_to(other.last());
+      square = std::max(square, square_between(other.place(point.length), here));
+      if (last) square = std::max(square, square_between(other.last(), here));
     }
-    const double apart = widening * std::sqrt(square);
+    const double apart = widening * double{std::sqrt(square)};
     if (!first) {
       const Waypoint& begin = points[i - 1];
-      const double aside = 2.0 * stray(begin, point) + 1e-6 * length(place);
-      Piece& piece = beam.emplace_back();
-      piece.from = wide(begin.place);
-      piece.to = place;
+      Piece& piece = beam.pieces[beam.count++];
+      piece.from = place_of(reached(begin));
+      piece.to = place_of(here);
+      const double rounding =
+          1e-6 * (std::fabs(piece.to.x) + std::fabs(piece.to.y) + std::fabs(piece.to.z));
+      const double aside = 2.0 * stray(begin, point) + rounding;
       piece.from_radius = before + aside;
       piece.to_radius = apart + aside;
       piece.middle = (piece.from + piece.to) * 0.5;
-      piece.reach = length(piece.to - piece.middle) + std::max(piece.from_radius, piece.to_radius);
+      // The way is no shorter than the straight one.
+      piece.reach = 0.5 * double{point.length - begin.length} + rounding +
+                    std::max(piece.from_radius, piece.to_radius);
       piece.stretch = point.stretch;
       piece.begun = begin.length;
       piece.ended = point.length;
@@ -139,13 +152,12 @@ std::vector<BeamGuard::Piece> BeamGuard::beam_of(const std::array<const Trail*, 
     }
     before = apart;
   }
-  mark_ends(beam);
-  return beam;
+  mark_ends(beam.all());
 }
 
 /// What a stretch begins or ends at, its beam touches there: on as much of the way as the places
 /// lie apart where the four ways come from it, or meet it.
-void BeamGuard::mark_ends(std::vector<Piece>& beam) {
+void BeamGuard::mark_ends(std::span<Piece> beam) {
   for (std::size_t i = 0; i < beam.size();) {
     std::size_t end = i;
     while (!beam[end].last) ++end;
@@ -187,30 +199,45 @@ bool BeamGuard::touches(const Piece& piece, const Obstacle& obstacle, int halvin
   return touches(first, obstacle, halvings - 1) || touches(second, obstacle, halvings - 1);
 }
 
-bool BeamGuard::along_border(const std::vector<Piece>& beam) const {
-  for (const Mass& mass : space_->masses) {
-    if (std::isinf(mass.influence) || mass.gm == 0.0) continue;
-    double least = std::numeric_limits<double>::infinity(), radius = 0.0;
-    for (const Piece& piece : beam) {
-      if (length(piece.middle - mass.center) - piece.reach < least) {
-        const Vec3d nearest = closest_on_segment(piece.from, piece.to, mass.center);
-        const double distance = length(nearest - mass.center);
-        if (distance < least)
-          least = distance, radius = std::max(piece.from_radius, piece.to_radius);
-      }
-      if (!piece.last) continue;
-      if (std::fabs(least - mass.influence) <= 2.0 * radius) return true;
-      least = std::numeric_limits<double>::infinity();
-    }
+bool BeamGuard::along_border(std::span<const Piece> beam) const {
+  for (std::size_t begin = 0; begin < beam.size();) {
+    std::size_t end = begin;
+    while (!beam[end++].last) continue;
+    const auto stretch = beam.subspan(begin, end - begin);
+    for (const Mass& mass : space_->masses)
+      if (std::isfinite(mass.influence) && mass.gm != 0.0 &&
+          along_sphere(stretch, mass.center, mass.influence))
+        return true;
+    begin = end;
   }
   return false;
 }
 
+/// Whether a sphere might be entered by some of the light, and not by all.
+bool BeamGuard::along_sphere(std::span<const Piece> stretch, Vec3d center, double radius) {
+  double widest = 0.0;
+  for (const Piece& piece : stretch)
+    widest = std::max({widest, piece.from_radius, piece.to_radius});
+  // Mostly it begins far within.
+  const double within = radius - 2.0 * widest;
+  const auto square_to = [&](Vec3d place) { return dot(place - center, place - center); };
+  if (within > 0.0 && square_to(stretch[0].from) < within * within) return false;
+  double least = std::numeric_limits<double>::infinity(), wide = 0.0;
+  for (const Piece& piece : stretch) {
+    const double reach = least + piece.reach;
+    if (square_to(piece.middle) >= reach * reach) continue;
+    const double distance = length(closest_on_segment(piece.from, piece.to, center) - center);
+    if (distance < least) least = distance, wide = std::max(piece.from_radius, piece.to_radius);
+  }
+  return std::fabs(least - radius) <= 2.0 * wide;
+}
+
 bool BeamGuard::clear(const std::array<const Trail*, 4>& trails, const Arrival& end) const {
-  const std::vector<Piece> beam = beam_of(trails);
-  if (along_border(beam)) return false;
+  Beam beam;
+  follow(trails, beam);
+  if (along_border(beam.all())) return false;
   for (const Obstacle& obstacle : obstacles_)
-    for (const Piece& piece : beam)
+    for (const Piece& piece : beam.all())
       if (!apart(piece, obstacle) && !met(obstacle, piece, *trails[0], end) &&
           touches(piece, obstacle, most_halvings))
         return false;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <deque>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "geometry/shape.h"
@@ -49,18 +50,26 @@ class BeamGuard {
     Vec3d middle;  ///< of the ball that holds it
     double reach;  ///< and its radius
     std::int32_t stretch;
-    float begun, ended;    ///< length of the way at both ends
-    bool last = false;     ///< of its stretch
-    bool leaves = false;   ///< lies where the stretch begins, or nearly
-    bool arrives = false;  ///< and where it ends
+    float begun, ended;  ///< length of the way at both ends
+    bool last;           ///< of its stretch
+    bool leaves;         ///< lies where the stretch begins, or nearly
+    bool arrives;        ///< and where it ends
+  };
+  /// The pieces between a trail's points, in order.
+  struct Beam {
+    std::array<Piece, Trail::most_points> pieces;  ///< the first `count` of them
+    std::size_t count = 0;
+
+    [[nodiscard]] std::span<Piece> all() { return {pieces.data(), count}; }
+    [[nodiscard]] std::span<const Piece> all() const { return {pieces.data(), count}; }
   };
   class Follower;
 
   explicit BeamGuard(const Space& space);
 
   void add(const Shape* shape, const Box& box, Met kind, std::uint32_t index);
-  [[nodiscard]] static std::vector<Piece> beam_of(const std::array<const Trail*, 4>& trails);
-  static void mark_ends(std::vector<Piece>& beam);
+  static void follow(const std::array<const Trail*, 4>& trails, Beam& beam);
+  static void mark_ends(std::span<Piece> beam);
   [[nodiscard]] bool met(const Obstacle& obstacle, const Piece& piece, const Trail& trail,
                          const Arrival& end) const;
   /// Whether the obstacle can't be touched, as their balls tell.
@@ -70,7 +79,9 @@ class BeamGuard {
     return dot(between, between) > reach * reach;
   }
   [[nodiscard]] static bool touches(const Piece& piece, const Obstacle& obstacle, int halvings);
-  [[nodiscard]] bool along_border(const std::vector<Piece>& beam) const;
+  [[nodiscard]] bool along_border(std::span<const Piece> beam) const;
+  [[nodiscard]] static bool along_sphere(std::span<const Piece> stretch, Vec3d center,
+                                         double radius);
 
   const Space* space_;
   std::vector<Obstacle> obstacles_;

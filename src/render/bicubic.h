@@ -1,0 +1,90 @@
+/// \file
+/// What photons would have found between sixteen that found alike.
+#pragma once
+
+#include <array>
+
+#include "photon/photon.h"
+#include "photon/space.h"
+
+namespace portalens {
+
+/// How far the photons of neighbouring pixels begin apart.
+struct PixelSpan {
+  double angle = 0.0;  ///< of their directions, radians
+  double aside = 0.0;  ///< of their places
+};
+
+/// A step from node to node of a lattice.
+struct NodeStep {
+  int right = 0, down = 0;
+
+  [[nodiscard]] bool is_none() const { return right == 0 && down == 0; }
+};
+
+/// The polynomial of the third degree each way through what sixteen photons found, four each way.
+class Bicubic {
+ public:
+  using Guides = std::array<std::array<const Arrival*, 4>, 4>;
+  class Row;
+
+  /// Whether such an arrival can be told by its neighbours.
+  [[nodiscard]] static bool can_tell(const Space& space, const Arrival& arrival);
+
+  /// @param aside  from the cell whose photons it tells of to the one between its inner four guides
+  explicit Bicubic(NodeStep aside = {}) : aside_(aside) {}
+
+  /// Puts the polynomial through the guides, if it may be used: if their third differences are no
+  /// larger than those of a function that is such a polynomial but for hundredths of a pixel.
+  /// @param most  third difference, pixels
+  /// @return the largest one, as a multiple of `most`; beyond `given_up` some that is not smaller
+  /// @pre the guides met the same, and `can_tell` says so of them
+  double through(const Space& space, const Guides& guides, const PixelSpan& pixel, double most,
+                 double given_up);
+
+ private:
+  using Four = float __attribute__((vector_size(16)));
+  /// What is interpolated, relative to the model, so that floats are enough.
+  struct Values {
+    /// On a surface, the place in homogeneous coordinates, which over a plane are linear where light
+    /// is straight: the last is the inverse of the way's length. In the sky the place and the
+    /// length.
+    Four place;
+    Four turn;  ///< the direction, and how much the way turned
+
+    friend Values operator+(const Values& a, const Values& b) {
+      return {a.place + b.place, a.turn + b.turn};
+    }
+    friend Values operator-(const Values& a, const Values& b) {
+      return {a.place - b.place, a.turn - b.turn};
+    }
+    friend Values operator*(const Values& a, float s) { return {a.place * s, a.turn * s}; }
+  };
+  /// Coefficients of a polynomial of the third degree, from that of the constant.
+  using Cubic = std::array<Values, 4>;
+
+  [[nodiscard]] static Cubic cubic_through(const Values& before, const Values& first,
+                                           const Values& second, const Values& after);
+  [[nodiscard]] static Values value(const Cubic& cubic, float at);
+
+  NodeStep aside_;
+  Arrival model_;                   ///< one of the guides
+  const Sphere* sphere_ = nullptr;  ///< that it is on
+  /// By the share of the cell from the left, and their coefficients by that from above.
+  std::array<Cubic, 4> cubics_;
+};
+
+/// What photons would have found along a row of a cell. Borrows the polynomial.
+class Bicubic::Row {
+ public:
+  /// @param v  share of the cell, from its upper edge
+  Row(const Bicubic& cell, double v);
+  /// @param u  share of the cell, from its left edge
+  void tell(double u, Arrival& arrival) const;
+
+ private:
+  const Bicubic& cell_;
+  Cubic cubic_;
+};
+
+}  // namespace portalens
