@@ -60,8 +60,7 @@ double Bicubic::through(const Space& space, const Guides& guides, const PixelSpa
   std::array<Values, 16> values;
   for (std::size_t n = 0; n < 16; ++n) {
     const Arrival& guide = *guides[n / 4][n % 4];
-    values[n].turn =
-        four<Four>(guide.direction - model_.direction, guide.turning - model_.turning);
+    values[n].turn = four<Four>(guide.direction - model_.direction, guide.turning - model_.turning);
   }
   const auto square = [](Four v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; };
   const double turned =

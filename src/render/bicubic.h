@@ -20,6 +20,7 @@ struct NodeStep {
   int right = 0, down = 0;
 
   [[nodiscard]] bool is_none() const { return right == 0 && down == 0; }
+  friend bool operator==(const NodeStep&, const NodeStep&) = default;
 };
 
 /// The polynomial of the third degree each way through what sixteen photons found, four each way.
@@ -46,8 +47,8 @@ class Bicubic {
   using Four = float __attribute__((vector_size(16)));
   /// What is interpolated, relative to the model, so that floats are enough.
   struct Values {
-    /// On a surface, the place in homogeneous coordinates, which over a plane are linear where light
-    /// is straight: the last is the inverse of the way's length. In the sky the place and the
+    /// On a surface, the place in homogeneous coordinates, which over a plane are linear where
+    /// light is straight: the last is the inverse of the way's length. In the sky the place and the
     /// length.
     Four place;
     Four turn;  ///< the direction, and how much the way turned

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <utility>
 #include <variant>
 
@@ -60,6 +59,7 @@ void Lattice::lay_over(const Window& tile) {
     const int share = levels_[0].stride / level.stride;
     level.clear(share * column, share * row, share * columns, share * rows);
   }
+  pixels_.assign(levels_[0].smooth.size(), {-1.0, -1.0});
   settled_ = row;
   // The coarse cells and two more about them hold all nodes that are ever asked for.
   const int stride = levels_[0].stride;
@@ -88,55 +88,69 @@ Lattice::Spot Lattice::spot_in(const Level& level, const FilmPlace& place) {
   return {column, row, x - column, y - row};
 }
 
+void Lattice::send_guide(int column, int row) {
+  std::uint32_t& guide = node(column, row);
+  if (guide != none) return;
+  guide = static_cast<std::uint32_t>(guides_.size());
+  const Ray ray = view_.ray(place_of(column), place_of(row));
+  Photon& photon = guides_.emplace_back();
+  photon.position = ray.origin;
+  photon.direction = ray.direction;
+}
+
 void Lattice::send_guides(const Level& level, Tally& tally) {
   const std::size_t first = guides_.size();
-  for (const Cell& cell : undecided_)
+  const Cell* before = nullptr;
+  for (const Cell& cell : undecided_) {
+    // A neighbour on the left has all but the last column.
+    const bool beside = before && before->row == cell.row && before->column + 1 == cell.column &&
+                        before->aside == cell.aside;
     for (int j = cell.aside.down - 1; j < cell.aside.down + 3; ++j)
-      for (int i = cell.aside.right - 1; i < cell.aside.right + 3; ++i) {
-        const int column = (cell.column + i) * level.stride, row = (cell.row + j) * level.stride;
-        std::uint32_t& guide = node(column, row);
-        if (guide != none) continue;
-        guide = static_cast<std::uint32_t>(guides_.size());
-        const Ray ray = view_.ray(place_of(column), place_of(row));
-        Photon& photon = guides_.emplace_back();
-        photon.position = ray.origin;
-        photon.direction = ray.direction;
-      }
+      for (int i = cell.aside.right + (beside ? 2 : -1); i < cell.aside.right + 3; ++i)
+        send_guide((cell.column + i) * level.stride, (cell.row + j) * level.stride);
+    before = &cell;
+  }
   const std::size_t count = guides_.size() - first;
   if (count == 0) return;
   arrivals_.resize(guides_.size());
-  if (trails_.size() < guides_.size()) trails_.resize(guides_.size());
-  advance_with_trails(world_.space, std::span(guides_).subspan(first),
-                      std::span(arrivals_).subspan(first),
-                      std::span(trails_).subspan(first, count));
   kinds_.resize(guides_.size());
-  for (std::size_t i = first; i < guides_.size(); ++i)
-    kinds_[i] = kind_of(arrivals_[i], trails_[i]);
+  const auto photons = std::span(guides_).subspan(first);
+  const auto arrivals = std::span(arrivals_).subspan(first);
+  // In the finest cells nobody looks for obstacles again.
+  if (level.stride == 1 && world_.space.portals.portals().empty()) {
+    portalens::advance(world_.space, photons, arrivals);
+    for (std::size_t i = first; i < guides_.size(); ++i) kinds_[i] = kind_of(arrivals_[i], 0);
+  } else {
+    if (trails_.size() < guides_.size()) trails_.resize(guides_.size());
+    advance_with_trails(world_.space, photons, arrivals, std::span(trails_).subspan(first, count));
+    for (std::size_t i = first; i < guides_.size(); ++i)
+      kinds_[i] = trails_[i].known() ? kind_of(arrivals_[i], trails_[i].portals()) : none;
+  }
   tally.guides += count;
 }
 
-PixelSpan Lattice::pixel_in(const Level& level, const Cell& cell) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  PixelSpan least{infinity, infinity};
-  std::array<const Photon*, 4> corners;
-  for (int k = 0; k < 4; ++k)
-    corners[static_cast<std::size_t>(k)] =
-        &guides_[node((cell.column + k % 2) * level.stride, (cell.row + k / 2) * level.stride)];
+const PixelSpan& Lattice::pixel_in(int column, int row) {
+  PixelSpan& pixel = pixels_[levels_[0].index(column, row)];
+  if (pixel.angle >= 0.0) return pixel;
+  const int stride = levels_[0].stride;
+  const auto corner = [&](int k) -> const Photon& {
+    return guides_[node((column + k % 2) * stride, (row + k / 2) * stride)];
+  };
+  double angle = std::numeric_limits<double>::infinity(), aside = angle;
   for (const auto& [a, b] : {std::pair{0, 1}, std::pair{0, 2}, std::pair{1, 3}, std::pair{2, 3}}) {
-    const Vec3d turned = corners[a]->direction - corners[b]->direction;
-    const Vec3d aside = corners[a]->position - corners[b]->position;
-    least.angle = std::min(least.angle, dot(turned, turned));
-    least.aside = std::min(least.aside, dot(aside, aside));
+    const Vec3d turned = corner(a).direction - corner(b).direction;
+    const Vec3d moved = corner(a).position - corner(b).position;
+    angle = std::min(angle, dot(turned, turned));
+    aside = std::min(aside, dot(moved, moved));
   }
-  const double pixels = level.stride * spacing;
-  return {std::sqrt(least.angle) / pixels, std::sqrt(least.aside) / pixels};
+  return pixel = {std::sqrt(angle) / coarse_spacing, std::sqrt(aside) / coarse_spacing};
 }
 
 /// Few are seen within a tile, and neighbours are often of one.
-std::uint32_t Lattice::kind_of(const Arrival& arrival, const Trail& trail) {
-  if (!trail.known() || !Bicubic::can_tell(world_.space, arrival)) return none;
+std::uint32_t Lattice::kind_of(const Arrival& arrival, std::uint64_t portals) {
+  if (!Bicubic::can_tell(world_.space, arrival)) return none;
   const Kind kind{arrival.fate, arrival.met,       arrival.object,
-                  arrival.face, arrival.crossings, trail.portals()};
+                  arrival.face, arrival.crossings, portals};
   const auto found = std::find(known_kinds_.rbegin(), known_kinds_.rend(), kind);
   if (found == known_kinds_.rend()) known_kinds_.push_back(kind);
   const auto before = found == known_kinds_.rend() ? 0 : found - known_kinds_.rbegin();
@@ -164,13 +178,16 @@ void Lattice::decide(Level& level, const Cell& cell) {
     if (cell.aside.is_none() && !finest) look_aside(cell, kinds);
     return;
   }
+  const int share = levels_[0].stride / level.stride;
+  const PixelSpan& pixel = pixel_in(cell.column / share, cell.row / share);
   const double halved = finest ? 1.0 : by_halving;
-  const double roughness = smooth_.emplace_back(cell.aside).through(
-      world_.space, guides, pixel_in(level, cell), most_third_difference(world_.space), halved);
+  const double roughness =
+      smooth_.emplace_back(cell.aside)
+          .through(world_.space, guides, pixel, most_third_difference(world_.space), halved);
   const auto clear = [&] {
-    return guard_.clear({&trails_[first], &trails_[corner(1, 0)], &trails_[corner(0, 1)],
-                         &trails_[corner(1, 1)]},
-                        arrivals_[first]);
+    return guard_.clear(
+        {&trails_[first], &trails_[corner(1, 0)], &trails_[corner(0, 1)], &trails_[corner(1, 1)]},
+        arrivals_[first]);
   };
   const bool usable = roughness <= halved && (cell.clear || clear());
   const bool fits = usable && roughness <= 1.0;
@@ -243,46 +260,40 @@ std::uint32_t Lattice::guide_at(const FilmPlace& place) {
   return spot.u == 0.0 && spot.v == 0.0 ? node(spot.column, spot.row) : none;
 }
 
-std::uint32_t Lattice::smooth_at(const FilmPlace& place, Spot& spot) const {
-  std::uint32_t smooth = none;
+Lattice::Patch Lattice::patch_at(const FilmPlace& place) const {
   for (const Level& level : levels_) {
-    spot = spot_in(level, place);
-    smooth = level.smooth[level.index(spot.column, spot.row)];
-    if (smooth < bent) return smooth;
+    const Spot spot = spot_in(level, place);
+    const std::uint32_t smooth = level.smooth[level.index(spot.column, spot.row)];
+    const double side = level.stride * spacing;
+    if (smooth < bent)
+      return {smooth, first_node + spot.column * side, first_node + spot.row * side, side};
   }
-  return none;
+  return {none, 0.0, 0.0, 0.0};
 }
 
 void Lattice::advance(std::span<const FilmPlace> places, std::span<Arrival> arrivals,
                       Tally& tally) {
   left_.clear();
-  // Samples come along rows of pixels: with one in each, a cell's row is worked out once.
-  std::optional<Bicubic::Row> row;
-  std::uint32_t last = none;
-  double above = 0.0;
-  for (std::size_t i = 0; i < places.size(); ++i) {
+  for (std::size_t i = 0; i < places.size();) {
     const int coarse_row = spot_in(levels_[0], places[i]).row;
-    if (coarse_row >= settled_) {
-      settle_from(coarse_row, tally);
-      last = none;
-    }
-    if (const std::uint32_t guide = guide_at(places[i]); guide != none) {
-      arrivals[i] = arrivals_[guide];
+    if (coarse_row >= settled_) settle_from(coarse_row, tally);
+    const Patch patch = patch_at(places[i]);
+    if (patch.smooth == none) {
+      if (const std::uint32_t guide = guide_at(places[i]); guide != none)
+        arrivals[i] = arrivals_[guide];
+      else
+        left_.push_back(static_cast<std::uint32_t>(i));
+      ++i;
       continue;
     }
-    Spot spot;
-    const std::uint32_t smooth = smooth_at(places[i], spot);
-    if (smooth == none) {
-      left_.push_back(static_cast<std::uint32_t>(i));
-      continue;
-    }
-    if (smooth != last || spot.v != above) {
-      row.emplace(smooth_[smooth], spot.v);
-      last = smooth;
-      above = spot.v;
-    }
-    row->tell(spot.u, arrivals[i]);
-    ++tally.interpolated;
+    // Samples come along rows of pixels: with one in each, a cell's row is worked out once.
+    const double y = places[i].y, end = patch.left + patch.side, share = 1.0 / patch.side;
+    const Bicubic::Row row(smooth_[patch.smooth], (y - patch.top) * share);
+    const std::size_t first = i;
+    for (; i < places.size() && places[i].y == y && places[i].x >= patch.left && places[i].x < end;
+         ++i)
+      row.tell((places[i].x - patch.left) * share, arrivals[i]);
+    tally.interpolated += i - first;
   }
   send_left(places, arrivals);
 }

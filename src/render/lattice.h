@@ -76,6 +76,11 @@ class Lattice {
     int column, row;
     double u, v;  ///< shares of the cell, from its upper left corner
   };
+  /// Where a polynomial tells what there is: a cell.
+  struct Patch {
+    std::uint32_t smooth;
+    double left, top, side;  ///< on the film
+  };
 
   /// Which guide is at a node.
   [[nodiscard]] std::uint32_t& node(int column, int row) {
@@ -87,16 +92,16 @@ class Lattice {
   void settle(Level& level, Tally& tally);
   void halve(const Level& level, const Level& half, int row, int end);
   void send_guides(const Level& level, Tally& tally);
+  void send_guide(int column, int row);
   void decide(Level& level, const Cell& cell);
-  [[nodiscard]] std::uint32_t kind_of(const Arrival& arrival, const Trail& trail);
+  /// @param portals  that its photon entered, as a trail tells them
+  [[nodiscard]] std::uint32_t kind_of(const Arrival& arrival, std::uint64_t portals);
   void look_aside(const Cell& cell, const Kinds& kinds);
-  /// Along the edge of the cell where it is least.
-  [[nodiscard]] PixelSpan pixel_in(const Level& level, const Cell& cell);
+  /// Along the edge of a coarse cell where it is least.
+  [[nodiscard]] const PixelSpan& pixel_in(int column, int row);
   /// The guide that went through that very place, if there was one.
   [[nodiscard]] std::uint32_t guide_at(const FilmPlace& place);
-  /// @return the polynomial for that place, and puts into `spot` where that is among the cells of
-  ///         its level
-  [[nodiscard]] std::uint32_t smooth_at(const FilmPlace& place, Spot& spot) const;
+  [[nodiscard]] Patch patch_at(const FilmPlace& place) const;
   void send_left(std::span<const FilmPlace> places, std::span<Arrival> arrivals);
 
   const World& world_;
@@ -104,7 +109,8 @@ class Lattice {
   FilmCamera view_;
   Window tile_;
   std::array<Level, 3> levels_{Level{4}, Level{2}, Level{1}};
-  int settled_ = 0;  ///< the coarse row down to which cells are decided
+  std::vector<PixelSpan> pixels_;  ///< of the coarse cells; less than 0 until they are asked for
+  int settled_ = 0;                ///< the coarse row down to which cells are decided
   int first_column_ = 0, first_row_ = 0;
   std::size_t columns_ = 0;
   std::vector<std::uint32_t> nodes_;
