@@ -14,7 +14,7 @@ namespace {
 
 /// More would take longer than the photons that are saved.
 constexpr std::size_t most_obstacles = 256;
-/// The beam is taken wider than the four trails are apart.
+/// The beam is taken wider than the four trails are from its middle.
 constexpr double widening = 1.25;
 /// How often a piece of a beam is halved that comes near an obstacle.
 constexpr int most_halvings = 5;
@@ -116,26 +116,32 @@ void BeamGuard::add(const Shape* shape, const Box& box, Met kind, std::uint32_t 
 }
 
 void BeamGuard::follow(const std::array<const Trail*, 4>& trails, Beam& beam) {
-  std::array<Follower, 3> others{Follower(*trails[1]), Follower(*trails[2]), Follower(*trails[3])};
+  std::array<Follower, 4> ways{Follower(*trails[0]), Follower(*trails[1]), Follower(*trails[2]),
+                               Follower(*trails[3])};
   const auto points = trails[0]->points();
+  Reached from{};
   double before = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Waypoint& point = points[i];
-    const Reached here = reached(point);
     const bool first = i == 0 || points[i - 1].stretch != point.stretch;
     const bool last = i + 1 == points.size() || points[i + 1].stretch != point.stretch;
+    std::array<Reached, 4> places;
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (first) ways[k].enter(point.stretch);
+      places[k] = ways[k].place(point.length);
+    }
+    const Reached to = (places[0] + places[1] + places[2] + places[3]) * 0.25f;
     float square = 0.0f;
-    for (Follower& other : others) {
-      if (first) other.enter(point.stretch);
-      square = std::max(square, square_between(other.place(point.length), here));
-      if (last) square = std::max(square, square_between(other.last(), here));
+    for (std::size_t k = 0; k < 4; ++k) {
+      square = std::max(square, square_between(places[k], to));
+      if (last) square = std::max(square, square_between(ways[k].last(), to));
     }
     const double apart = widening * double{std::sqrt(square)};
     if (!first) {
       const Waypoint& begin = points[i - 1];
       Piece& piece = beam.pieces[beam.count++];
-      piece.from = place_of(reached(begin));
-      piece.to = place_of(here);
+      piece.from = place_of(from);
+      piece.to = place_of(to);
       const double rounding =
           1e-6 * (std::fabs(piece.to.x) + std::fabs(piece.to.y) + std::fabs(piece.to.z));
       const double aside = 2.0 * stray(begin, point) + rounding;
@@ -150,6 +156,7 @@ void BeamGuard::follow(const std::array<const Trail*, 4>& trails, Beam& beam) {
       piece.ended = point.length;
       piece.last = last;
     }
+    from = to;
     before = apart;
   }
   mark_ends(beam.all());

@@ -32,6 +32,9 @@ constexpr int cells_at_once = 96;
 /// Nodes for which there is room from the beginning.
 constexpr std::size_t most_room = 2048;
 
+/// The column or row of the first coarse cell that samples of that pixel may lie in.
+int cell_before(int pixel) { return (pixel + coarse_spacing - 1) / coarse_spacing; }
+
 double place_of(int node) { return first_node + node * spacing; }
 
 }  // namespace
@@ -51,8 +54,6 @@ Lattice::Lattice(const World& world, const BeamGuard& guard, const Window& tile)
 
 void Lattice::lay_over(const Window& tile) {
   tile_ = tile;
-  // A pixel's samples lie in the cell of its centre, or before it.
-  const auto cell_before = [](int pixel) { return (pixel + coarse_spacing - 1) / coarse_spacing; };
   const int column = cell_before(tile.x0), row = cell_before(tile.y0);
   const int columns = cell_before(tile.x1) - column + 1, rows = cell_before(tile.y1) - row + 1;
   for (Level& level : levels_) {
@@ -151,10 +152,13 @@ std::uint32_t Lattice::kind_of(const Arrival& arrival, std::uint64_t portals) {
   if (!Bicubic::can_tell(world_.space, arrival)) return none;
   const Kind kind{arrival.fate, arrival.met,       arrival.object,
                   arrival.face, arrival.crossings, portals};
-  const auto found = std::find(known_kinds_.rbegin(), known_kinds_.rend(), kind);
-  if (found == known_kinds_.rend()) known_kinds_.push_back(kind);
-  const auto before = found == known_kinds_.rend() ? 0 : found - known_kinds_.rbegin();
-  return static_cast<std::uint32_t>(known_kinds_.size() - 1) - static_cast<std::uint32_t>(before);
+  std::size_t i = known_kinds_.size();
+  while (i > 0 && !(known_kinds_[i - 1] == kind)) --i;
+  if (i == 0) {
+    known_kinds_.push_back(kind);
+    i = known_kinds_.size();
+  }
+  return static_cast<std::uint32_t>(i - 1);
 }
 
 void Lattice::decide(Level& level, const Cell& cell) {
@@ -275,8 +279,8 @@ void Lattice::advance(std::span<const FilmPlace> places, std::span<Arrival> arri
                       Tally& tally) {
   left_.clear();
   for (std::size_t i = 0; i < places.size();) {
-    const int coarse_row = spot_in(levels_[0], places[i]).row;
-    if (coarse_row >= settled_) settle_from(coarse_row, tally);
+    if (spot_in(levels_[0], places[i]).row >= settled_)
+      settle_from(std::max(settled_, cell_before(static_cast<int>(places[i].y))), tally);
     const Patch patch = patch_at(places[i]);
     if (patch.smooth == none) {
       if (const std::uint32_t guide = guide_at(places[i]); guide != none)
