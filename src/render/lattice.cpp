@@ -225,20 +225,25 @@ void Lattice::settle(Level& level, Tally& tally) {
   }
 }
 
+bool Lattice::holds_samples(const Level& level, int column, int row) const {
+  const double side = level.stride * spacing, left = place_of(column * level.stride),
+               top = place_of(row * level.stride);
+  // One sample alone lies in the centre of its pixel.
+  const double first = world_.sampling.samples == 1 ? 0.5 : 0.0;
+  return left + side > tile_.x0 + first && left < tile_.x1 && top + side > tile_.y0 + first &&
+         top < tile_.y1;
+}
+
 /// Makes those cells undecided that the undone ones of a level fall into.
 /// @param row, end  of the level
 void Lattice::halve(const Level& level, const Level& half, int row, int end) {
-  const double side = half.stride * spacing;
   const bool coarse = level.stride == levels_[0].stride;
   for (int j = 2 * row; j < 2 * end; ++j)
     for (int i = 0; i < half.columns; ++i) {
       const int column = half.first_column + i;
       const std::uint32_t larger = level.smooth[level.index(column / 2, j / 2)];
       if (larger != bent && !(coarse && larger == none)) continue;
-      const double x = first_node + column * side, y = first_node + j * side;
-      const bool outside =
-          x >= tile_.x1 || x + side <= tile_.x0 || y >= tile_.y1 || y + side <= tile_.y0;
-      if (!outside) undecided_.push_back({column, j, larger == bent});
+      if (holds_samples(half, column, j)) undecided_.push_back({column, j, larger == bent});
     }
 }
 
@@ -248,7 +253,8 @@ void Lattice::settle_from(int row, Tally& tally) {
       std::min(coarse.first_row + coarse.rows, row + std::max(1, cells_at_once / coarse.columns));
   undecided_.clear();
   for (int j = row; j < end; ++j)
-    for (int i = 0; i < coarse.columns; ++i) undecided_.push_back({coarse.first_column + i, j});
+    for (int i = coarse.first_column; i < coarse.first_column + coarse.columns; ++i)
+      if (holds_samples(coarse, i, j)) undecided_.push_back({i, j});
   settle(coarse, tally);
   for (std::size_t l = 1; l < levels_.size(); ++l) {
     undecided_.clear();

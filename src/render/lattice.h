@@ -88,6 +88,8 @@ class Lattice {
                   static_cast<std::size_t>(column - first_column_)];
   }
   [[nodiscard]] static Spot spot_in(const Level& level, const FilmPlace& place);
+  /// Whether samples of the tile may lie in that cell.
+  [[nodiscard]] bool holds_samples(const Level& level, int column, int row) const;
   void settle_from(int row, Tally& tally);
   void settle(Level& level, Tally& tally);
   void halve(const Level& level, const Level& half, int row, int end);
