@@ -60,11 +60,14 @@ class BeamGuard::Follower {
   }
   /// The place at that length within the stretch, or its nearer end.
   [[nodiscard]] Reached place(float length) {
-    while (more() && points_[at_ + 1].length < length) ++at_;
-    const Reached a = reached(points_[at_]);
-    if (!more() || length <= a[3]) return a;
-    const Reached b = reached(points_[at_ + 1]);
-    return a + (b - a) * ((length - a[3]) / (b[3] - a[3]));
+    Reached a = reached(points_[at_]);
+    if (length <= a[3]) return a;
+    for (; more(); ++at_) {
+      const Reached b = reached(points_[at_ + 1]);
+      if (!(b[3] < length)) return a + (b - a) * ((length - a[3]) / (b[3] - a[3]));
+      a = b;
+    }
+    return a;
   }
   [[nodiscard]] Reached last() {
     while (more()) ++at_;
@@ -115,31 +118,35 @@ void BeamGuard::add(const Shape* shape, const Box& box, Met kind, std::uint32_t 
   obstacles_.push_back({shape, box.middle(), 0.5 * box.diagonal(), kind, index});
 }
 
-void BeamGuard::follow(const std::array<const Trail*, 4>& trails, Beam& beam) {
-  std::array<Follower, 4> ways{Follower(*trails[0]), Follower(*trails[1]), Follower(*trails[2]),
-                               Follower(*trails[3])};
+std::vector<BeamGuard::Piece> BeamGuard::beam_of(const std::array<const Trail*, 4>& trails) {
+  std::array<Follower, 3> others{Follower(*trails[1]), Follower(*trails[2]), Follower(*trails[3])};
   const auto points = trails[0]->points();
+  std::vector<Piece> beam;
+  beam.reserve(points.size());
   Reached from{};
   double before = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Waypoint& point = points[i];
     const bool first = i == 0 || points[i - 1].stretch != point.stretch;
     const bool last = i + 1 == points.size() || points[i + 1].stretch != point.stretch;
-    std::array<Reached, 4> places;
-    for (std::size_t k = 0; k < 4; ++k) {
-      if (first) ways[k].enter(point.stretch);
-      places[k] = ways[k].place(point.length);
+    const Reached here = reached(point);
+    std::array<Reached, 3> places;
+    Reached sum = here;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (first) others[k].enter(point.stretch);
+      places[k] = others[k].place(point.length);
+      sum += places[k];
     }
-    const Reached to = (places[0] + places[1] + places[2] + places[3]) * 0.25f;
-    float square = 0.0f;
-    for (std::size_t k = 0; k < 4; ++k) {
+    const Reached to = sum * 0.25f;
+    float square = square_between(here, to);
+    for (std::size_t k = 0; k < 3; ++k) {
       square = std::max(square, square_between(places[k], to));
-      if (last) square = std::max(square, square_between(ways[k].last(), to));
+      if (last) square = std::max(square, square_between(others[k].last(), to));
     }
     const double apart = widening * double{std::sqrt(square)};
     if (!first) {
       const Waypoint& begin = points[i - 1];
-      Piece& piece = beam.pieces[beam.count++];
+      Piece& piece = beam.emplace_back();
       piece.from = place_of(from);
       piece.to = place_of(to);
       const double rounding =
@@ -159,7 +166,8 @@ void BeamGuard::follow(const std::array<const Trail*, 4>& trails, Beam& beam) {
     from = to;
     before = apart;
   }
-  mark_ends(beam.all());
+  mark_ends(beam);
+  return beam;
 }
 
 /// What a stretch begins or ends at, its beam touches there: on as much of the way as the places
@@ -240,11 +248,10 @@ bool BeamGuard::along_sphere(std::span<const Piece> stretch, Vec3d center, doubl
 }
 
 bool BeamGuard::clear(const std::array<const Trail*, 4>& trails, const Arrival& end) const {
-  Beam beam;
-  follow(trails, beam);
-  if (along_border(beam.all())) return false;
+  const std::vector<Piece> beam = beam_of(trails);
+  if (along_border(beam)) return false;
   for (const Obstacle& obstacle : obstacles_)
-    for (const Piece& piece : beam.all())
+    for (const Piece& piece : beam)
       if (!apart(piece, obstacle) && !met(obstacle, piece, *trails[0], end) &&
           touches(piece, obstacle, most_halvings))
         return false;

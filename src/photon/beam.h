@@ -55,20 +55,12 @@ class BeamGuard {
     bool leaves;         ///< lies where the stretch begins, or nearly
     bool arrives;        ///< and where it ends
   };
-  /// The pieces between a trail's points, in order.
-  struct Beam {
-    std::array<Piece, Trail::most_points> pieces;  ///< the first `count` of them
-    std::size_t count = 0;
-
-    [[nodiscard]] std::span<Piece> all() { return {pieces.data(), count}; }
-    [[nodiscard]] std::span<const Piece> all() const { return {pieces.data(), count}; }
-  };
   class Follower;
 
   explicit BeamGuard(const Space& space);
 
   void add(const Shape* shape, const Box& box, Met kind, std::uint32_t index);
-  static void follow(const std::array<const Trail*, 4>& trails, Beam& beam);
+  [[nodiscard]] static std::vector<Piece> beam_of(const std::array<const Trail*, 4>& trails);
   static void mark_ends(std::span<Piece> beam);
   [[nodiscard]] bool met(const Obstacle& obstacle, const Piece& piece, const Trail& trail,
                          const Arrival& end) const;

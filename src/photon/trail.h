@@ -25,8 +25,6 @@ struct Waypoint {
 /// that could be met.
 class Trail {
  public:
-  static constexpr std::size_t most_points = 64;
-
   /// Forgets everything, for another way.
   void restart() {
     count_ = 0;
@@ -74,7 +72,7 @@ class Trail {
   }
 
  private:
-  static constexpr std::size_t few_points = 20;
+  static constexpr std::size_t few_points = 20, most_points = 64;
   static constexpr std::uint32_t most_portals = 31;
   static constexpr int most_crossings = 12;  // 32^12 fits 64 bits
 
