@@ -2,6 +2,7 @@
 /// Taking a picture from camera to film, as `render` does and without it.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -34,30 +35,38 @@ namespace portalens::benchmarks {
 inline void interpolate(const World& world, const BeamGuard& guard, int every,
                         std::span<Arrival> arrivals) {
   const Tiling tiles({0, 0, world.film.width, world.film.height}, tile_size_of(world, {}));
-  const int columns = (world.film.width - every / 2 - 1) / every + 1;
+  const int columns = (world.film.width + every - 1) / every;
+  struct Sampled {
+    PixelSample pixel;
+    std::size_t index;
+  };
+  const auto is_above = [](const Sampled& a, const Sampled& b) { return a.pixel < b.pixel; };
   Lattice lattice(world, guard, tiles[0]);
-  std::vector<std::size_t> which;
+  std::vector<Sampled> sampled;
   std::vector<FilmPlace> places;
   std::vector<Arrival> found;
   Tally tally;
   for (std::size_t t = 0; t < tiles.count(); ++t) {
     const Window tile = tiles[t];
-    which.clear();
-    places.clear();
-    const auto first = [&](int low) { return (low + every - 1 - every / 2) / every; };
-    for (int j = first(tile.y0); every / 2 + j * every < tile.y1; ++j)
-      for (int i = first(tile.x0); every / 2 + i * every < tile.x1; ++i) {
-        which.push_back(static_cast<std::size_t>(j) * columns + i);
-        places.push_back({every / 2 + i * every + 0.5, every / 2 + j * every + 0.5});
+    sampled.clear();
+    for (int row = tile.y0 / every; row * every < tile.y1; ++row)
+      for (int column = tile.x0 / every; column * every < tile.x1; ++column) {
+        const PixelSample pixel = sampled_pixel(world, every, column, row);
+        if (tile.holds({pixel.x, pixel.y, pixel.x + 1, pixel.y + 1}))
+          sampled.push_back({pixel, static_cast<std::size_t>(row) * columns + column});
       }
+    if (!std::is_sorted(sampled.begin(), sampled.end(), is_above))
+      std::sort(sampled.begin(), sampled.end(), is_above);
+    places.clear();
+    for (const auto& [pixel, index] : sampled) places.push_back({pixel.x + 0.5, pixel.y + 0.5});
     found.resize(places.size());
     lattice.lay_over(tile);
     lattice.advance(places, found, tally);
-    for (std::size_t i = 0; i < which.size(); ++i) arrivals[which[i]] = found[i];
+    for (std::size_t i = 0; i < sampled.size(); ++i) arrivals[sampled[i].index] = found[i];
   }
 }
 
-/// Every n-th pixel each way, shaded by the program, with photons that `travel` advances.
+/// One pixel of every n × n, shaded by the program, with photons that `travel` advances.
 /// @param travel  called as `travel(photons, arrivals)`
 template <class Travel>
 [[nodiscard]] std::vector<Rgb> take_pixels(const World& world, int every, const Travel& travel) {

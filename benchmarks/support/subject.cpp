@@ -2,13 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <utility>
 
 #include "io/files.h"
 #include "io/read_scene.h"
+#include "math/random.h"
 #include "oracle_digest.h"
 #include "photon/engine.h"
-#include "render/camera_photon.h"
 #include "render/fingerprint.h"
 #include "world/compile.h"
 
@@ -45,11 +47,21 @@ Settings square_film(int side) {
           "sampler.samples=1"};
 }
 
+PixelSample sampled_pixel(const World& world, int every, int column, int row) {
+  const std::uint64_t key =
+      combined(combined(0, static_cast<std::uint64_t>(column)), static_cast<std::uint64_t>(row));
+  const auto some = [every](std::uint64_t bits, int first, int end) {
+    return first + static_cast<int>(bits % static_cast<unsigned>(std::min(every, end - first)));
+  };
+  return {some(key >> 32, column * every, world.film.width),
+          some(key & 0xffffffff, row * every, world.film.height), 0};
+}
+
 std::vector<Photon> camera_photons(const World& world, int every) {
   std::vector<Photon> photons;
-  for (int y = every / 2; y < world.film.height; y += every)
-    for (int x = every / 2; x < world.film.width; x += every) {
-      Photon photon = camera_photon(world, {x, y, 0});
+  for (int row = 0; row * every < world.film.height; ++row)
+    for (int column = 0; column * every < world.film.width; ++column) {
+      Photon photon = camera_photon(world, sampled_pixel(world, every, column, row));
       photon.sample = photon.slot = static_cast<std::uint32_t>(photons.size());
       photons.push_back(photon);
     }

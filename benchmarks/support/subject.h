@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "photon/photon.h"
+#include "render/camera_photon.h"
 #include "scene/scene.h"
 #include "support/arrival_cache.h"
 #include "world/world.h"
@@ -34,8 +35,12 @@ struct Subject {
 /// A film of side² pixels with a single sample each.
 [[nodiscard]] Settings square_film(int side);
 
-/// The photons that `render` sends through every n-th pixel each way, from the (n/2)-th. Each has
-/// its own sample, from 0.
+/// One pixel of every n × n: some pixel, so that no pattern of the program's hides behind theirs.
+/// @param column, row  of the n × n, from the top left
+[[nodiscard]] PixelSample sampled_pixel(const World& world, int every, int column, int row);
+
+/// The photons that `render` sends through those pixels, row by row of the n × n. Each has its own
+/// sample, from 0.
 [[nodiscard]] std::vector<Photon> camera_photons(const World& world, int every = 1);
 
 /// Where the photons arrive if the scalar engine takes such small steps that smaller ones change
