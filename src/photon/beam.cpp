@@ -15,7 +15,7 @@ namespace {
 /// More would take longer than the photons that are saved.
 constexpr std::size_t most_obstacles = 256;
 /// The beam is taken wider than the four trails are from its middle.
-constexpr double widening = 1.25;
+constexpr double widening = 1.1;
 /// How often a piece of a beam is halved that comes near an obstacle.
 constexpr int most_halvings = 5;
 

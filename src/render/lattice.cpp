@@ -22,11 +22,13 @@ constexpr double first_node = 0.5 - coarse_spacing;
 /// third degree but for hundredths of a pixel. What masses do by themselves is smooth between the
 /// borders that the guard looks for; gravity through portals bends sharply at more than those.
 double most_third_difference(const Space& space) {
-  return std::holds_alternative<NoCoupling>(space.coupling) ? 3.0 : 0.5;
+  return std::holds_alternative<NoCoupling>(space.coupling) ? 4.0 : 0.5;
 }
 
-/// Of a third difference to that of guides half as far apart, about, and somewhat more.
-constexpr double by_halving = 12.0;
+/// As much of that where the guides lie aside: beyond the inner four a polynomial is worth less.
+constexpr double share_aside = 0.5;
+/// Of a third difference to that of guides half as far apart: about 8, and more where it changes.
+constexpr double by_halving = 20.0;
 /// Coarse cells that are decided together, about: their guides fill the lanes.
 constexpr int cells_at_once = 96;
 /// Nodes for which there is room from the beginning.
@@ -185,9 +187,10 @@ void Lattice::decide(Level& level, const Cell& cell) {
   const int share = levels_[0].stride / level.stride;
   const PixelSpan& pixel = pixel_in(cell.column / share, cell.row / share);
   const double halved = finest ? 1.0 : by_halving;
+  const double most =
+      most_third_difference(world_.space) * (cell.aside.is_none() ? 1.0 : share_aside);
   const double roughness =
-      smooth_.emplace_back(cell.aside)
-          .through(world_.space, guides, pixel, most_third_difference(world_.space), halved);
+      smooth_.emplace_back(cell.aside).through(world_.space, guides, pixel, most, halved);
   const auto clear = [&] {
     return guard_.clear(
         {&trails_[first], &trails_[corner(1, 0)], &trails_[corner(0, 1)], &trails_[corner(1, 1)]},
