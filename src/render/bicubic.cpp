@@ -20,6 +20,10 @@ Vec3d unit(Vec3d a) {
   return std::fabs(square - 1.0) < 1e-5 ? a * (1.5 - 0.5 * square) : a * inverse_sqrt(square);
 }
 
+/// How much the square of what a way turns counts beside that of where it leads: it is told, but
+/// moves no light.
+constexpr float turning_counts = 1.0f / 16.0f;
+
 float in_float(double x) { return static_cast<float>(x); }
 
 template <class Four>
@@ -63,8 +67,9 @@ double Bicubic::through(const Space& space, const Guides& guides, const PixelSpa
     values[n].turn = four<Four>(guide.direction - model_.direction, guide.turning - model_.turning);
   }
   const auto square = [](Four v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; };
-  const double turned =
-      std::sqrt(largest_third([&](std::size_t n) { return values[n].turn; }, square));
+  const double turned = std::sqrt(largest_third(
+      [&](std::size_t n) { return values[n].turn; },
+      [&](Four third) { return square(third) + turning_counts * third[3] * third[3]; }));
   double roughness = turned / (most * (pixel.angle + pixel.aside / space.extent));
   if (!(roughness <= given_up)) return roughness;
   float reach = 0.0f;

@@ -221,23 +221,43 @@ horizon = false
 }
 
 TEST(Lattice, LeavesNoTraceOfTilesAndCrops) {
-  const World world = world_of(scene("", 3));
-  const auto taken = [&](int tile, std::optional<Window> crop = std::nullopt) {
-    RenderOptions options;
-    options.tile_size = tile;
-    options.crop = crop;
-    return render(world, options);
-  };
-  const RenderResult whole = taken(32);
-  EXPECT_GT(whole.tally.interpolated, whole.tally.samples / 4);
-  for (const int tile : {5, 64, 200})
-    EXPECT_EQ(taken(tile).image.pixels, whole.image.pixels) << "tiles of " << tile;
-  const Window crop{13, 71, 54, 102};
-  const RenderResult part = taken(32, crop);
-  for (int y = crop.y0; y < crop.y1; ++y)
-    for (int x = crop.x0; x < crop.x1; ++x)
-      for (int channel = 0; channel < 3; ++channel)
-        ASSERT_EQ(part.image.at(x - crop.x0, y - crop.y0)[channel], whole.image.at(x, y)[channel]);
+  for (const int samples : {1, 3}) {
+    const World world = world_of(scene("", samples));
+    const auto taken = [&](int tile, std::optional<Window> crop = std::nullopt) {
+      RenderOptions options;
+      options.tile_size = tile;
+      options.crop = crop;
+      return render(world, options);
+    };
+    const RenderResult whole = taken(32);
+    EXPECT_GT(whole.tally.interpolated, whole.tally.samples / 4);
+    for (const int tile : {5, 64, 200})
+      EXPECT_EQ(taken(tile).image.pixels, whole.image.pixels) << "tiles of " << tile;
+    const Window crop{13, 71, 54, 102};
+    const RenderResult part = taken(32, crop);
+    for (int y = crop.y0; y < crop.y1; ++y)
+      for (int x = crop.x0; x < crop.x1; ++x)
+        for (int channel = 0; channel < 3; ++channel)
+          ASSERT_EQ(part.image.at(x - crop.x0, y - crop.y0)[channel],
+                    whole.image.at(x, y)[channel]);
+  }
+}
+
+/// Samples that nobody tells of, guides among them, are what their photons find, to the bit.
+TEST(Lattice, ChangesNothingWhereItDoesNotInterpolate) {
+  const Found found = found_in(world_of(scene()));
+  std::size_t same = 0;
+  for (std::size_t i = 0; i < found.own.size(); ++i) {
+    const Arrival &own = found.own[i], &other = found.interpolated[i];
+    if (other.steps == 0) continue;
+    ++same;
+    EXPECT_EQ(own.steps, other.steps);
+    EXPECT_EQ(own.position, other.position);
+    EXPECT_EQ(own.direction, other.direction);
+    EXPECT_EQ(own.length, other.length);
+    EXPECT_EQ(own.turning, other.turning);
+  }
+  EXPECT_EQ(same + found.tally.interpolated, found.own.size());
 }
 
 TEST(Lattice, IsLeftOutWhereAllPhotonsAreAskedFor) {
