@@ -22,7 +22,7 @@ Vec3d unit(Vec3d a) {
 
 /// How much the square of what a way turns counts beside that of where it leads: it is told, but
 /// moves no light.
-constexpr float turning_counts = 1.0f / 16.0f;
+constexpr float turning_counts = 1.0f / 4.0f;
 
 float in_float(double x) { return static_cast<float>(x); }
 
