@@ -56,15 +56,16 @@ bool Bicubic::can_tell(const Space& space, const Arrival& arrival) {
 
 double Bicubic::through(const Space& space, const Guides& guides, const PixelSpan& pixel,
                         double most, double given_up) {
-  model_ = *guides[1][1];
+  const Arrival& model = *guides[1][1];
+  model_ = model;
   model_.steps = 0;
-  if (model_.fate == Fate::absorbed) return 0.0;
-  const bool flat = model_.fate == Fate::hit;
-  sphere_ = flat ? std::get_if<Sphere>(&space.surfaces.shapes()[model_.object]) : nullptr;
+  if (model.fate == Fate::absorbed) return 0.0;
+  const bool flat = model.fate == Fate::hit;
+  sphere_ = flat ? std::get_if<Sphere>(&space.surfaces.shapes()[model.object]) : nullptr;
   std::array<Values, 16> values;
   for (std::size_t n = 0; n < 16; ++n) {
     const Arrival& guide = *guides[n / 4][n % 4];
-    values[n].turn = four<Four>(guide.direction - model_.direction, guide.turning - model_.turning);
+    values[n].turn = four<Four>(guide.direction - model.direction, guide.turning - model.turning);
   }
   const auto square = [](Four v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; };
   const double turned = std::sqrt(largest_third(
@@ -75,13 +76,13 @@ double Bicubic::through(const Space& space, const Guides& guides, const PixelSpa
   float reach = 0.0f;
   for (std::size_t n = 0; n < 16; ++n) {
     const Arrival& guide = *guides[n / 4][n % 4];
-    const Vec3d aside = guide.position - model_.position;
+    const Vec3d aside = guide.position - model.position;
     if (flat) {
-      const double weight = model_.length / guide.length;
+      const double weight = model.length / guide.length;
       reach = std::max(reach, in_float(dot(aside, aside)));
       values[n].place = four<Four>(aside * weight, weight - 1.0);
     } else {
-      values[n].place = four<Four>(aside, guide.length - model_.length);
+      values[n].place = four<Four>(aside, guide.length - model.length);
     }
   }
   if (flat) {
@@ -90,7 +91,7 @@ double Bicubic::through(const Space& space, const Guides& guides, const PixelSpa
         [&](std::size_t n) { return values[n].place; },
         [&](Four third) { return std::sqrt(square(third)) + reach * std::fabs(third[3]); });
     // A miss counts in pixels of where the light came from; to the sky only its direction does.
-    const double share = aside / (most * (pixel.angle * model_.length + pixel.aside));
+    const double share = aside / (most * (pixel.angle * model.length + pixel.aside));
     roughness = share <= roughness ? roughness : share;
   }
   if (!(roughness <= 1.0)) return roughness;
@@ -116,24 +117,27 @@ Bicubic::Values Bicubic::value(const Cubic& cubic, float at) {
   return ((cubic[3] * at + cubic[2]) * at + cubic[1]) * at + cubic[0];
 }
 
-Bicubic::Row::Row(const Bicubic& cell, double v) : cell_(cell) {
+Bicubic::Row::Row(const Bicubic& cell, double v)
+    : cell_(cell), right_(in_float(cell.aside_.right)) {
   const float at = in_float(v - cell.aside_.down);
   for (std::size_t k = 0; k < 4; ++k) cubic_[k] = value(cell.cubics_[k], at);
 }
 
 void Bicubic::Row::tell(double u, Arrival& arrival) const {
-  arrival = cell_.model_;
-  if (arrival.fate == Fate::absorbed) return;
-  const Values sum = value(cubic_, in_float(u - cell_.aside_.right));
-  arrival.direction = unit(arrival.direction + part(sum.turn));
-  arrival.turning += double{sum.turn[3]};
-  if (arrival.fate == Fate::hit) {
+  // Nothing is read from where it has just been written: that waits.
+  const Arrival& model = cell_.model_;
+  arrival = model;
+  if (model.fate == Fate::absorbed) return;
+  const Values sum = value(cubic_, in_float(u) - right_);
+  arrival.direction = unit(model.direction + part(sum.turn));
+  arrival.turning = model.turning + double{sum.turn[3]};
+  if (model.fate == Fate::hit) {
     const double weight = 1.0 / (1.0 + double{sum.place[3]});
-    arrival.position += part(sum.place) * weight;
-    arrival.length *= weight;
+    arrival.position = model.position + part(sum.place) * weight;
+    arrival.length = model.length * weight;
   } else {
-    arrival.position += part(sum.place);
-    arrival.length += double{sum.place[3]};
+    arrival.position = model.position + part(sum.place);
+    arrival.length = model.length + double{sum.place[3]};
   }
   if (const Sphere* sphere = cell_.sphere_)
     arrival.position =

@@ -85,6 +85,7 @@ class Bicubic::Row {
 
  private:
   const Bicubic& cell_;
+  float right_;  ///< how far the guides lie aside
   Cubic cubic_;
 };
 
