@@ -50,7 +50,7 @@ void Lattice::Level::clear(int column, int row, int column_count, int row_count)
 }
 
 Lattice::Lattice(const World& world, const BeamGuard& guard, const Window& tile)
-    : world_(world), guard_(guard), view_(world.camera, world.film.width, world.film.height) {
+    : world_(world), guard_(guard), source_(world) {
   lay_over(tile);
 }
 
@@ -91,18 +91,15 @@ Lattice::Spot Lattice::spot_in(const Level& level, const FilmPlace& place) {
   return {column, row, x - column, y - row};
 }
 
-void Lattice::send_guide(int column, int row) {
+void Lattice::want_guide(int column, int row) {
   std::uint32_t& guide = node(column, row);
   if (guide != none) return;
-  guide = static_cast<std::uint32_t>(guides_.size());
-  const Ray ray = view_.ray(place_of(column), place_of(row));
-  Photon& photon = guides_.emplace_back();
-  photon.position = ray.origin;
-  photon.direction = ray.direction;
+  guide = static_cast<std::uint32_t>(guides_.size() + aims_.size());
+  aims_.push_back({place_of(column), place_of(row)});
 }
 
 void Lattice::send_guides(const Level& level, Tally& tally) {
-  const std::size_t first = guides_.size();
+  aims_.clear();
   const Cell* before = nullptr;
   for (const Cell& cell : undecided_) {
     // A neighbour on the left has all but the last column.
@@ -110,14 +107,16 @@ void Lattice::send_guides(const Level& level, Tally& tally) {
                         before->aside == cell.aside;
     for (int j = cell.aside.down - 1; j < cell.aside.down + 3; ++j)
       for (int i = cell.aside.right + (beside ? 2 : -1); i < cell.aside.right + 3; ++i)
-        send_guide((cell.column + i) * level.stride, (cell.row + j) * level.stride);
+        want_guide((cell.column + i) * level.stride, (cell.row + j) * level.stride);
     before = &cell;
   }
-  const std::size_t count = guides_.size() - first;
+  const std::size_t first = guides_.size(), count = aims_.size();
   if (count == 0) return;
-  arrivals_.resize(guides_.size());
-  kinds_.resize(guides_.size());
+  guides_.resize(first + count);
+  arrivals_.resize(first + count);
+  kinds_.resize(first + count);
   const auto photons = std::span(guides_).subspan(first);
+  source_.send(aims_, photons);
   const auto arrivals = std::span(arrivals_).subspan(first);
   // In the finest cells nobody looks for obstacles again.
   if (level.stride == 1 && world_.space.portals.portals().empty()) {
@@ -314,12 +313,9 @@ void Lattice::advance(std::span<const FilmPlace> places, std::span<Arrival> arri
 void Lattice::send_left(std::span<const FilmPlace> places, std::span<Arrival> arrivals) {
   own_.resize(left_.size());
   found_.resize(left_.size());
-  for (std::size_t i = 0; i < left_.size(); ++i) {
-    const FilmPlace& place = places[left_[i]];
-    const Ray ray = view_.ray(place.x, place.y);
-    own_[i].position = ray.origin;
-    own_[i].direction = ray.direction;
-  }
+  aims_.clear();
+  for (const std::uint32_t i : left_) aims_.push_back(places[i]);
+  source_.send(aims_, own_);
   portalens::advance(world_.space, own_, found_);
   for (std::size_t i = 0; i < left_.size(); ++i) arrivals[left_[i]] = found_[i];
 }

@@ -94,7 +94,7 @@ class Lattice {
   void settle(Level& level, Tally& tally);
   void halve(const Level& level, const Level& half, int row, int end);
   void send_guides(const Level& level, Tally& tally);
-  void send_guide(int column, int row);
+  void want_guide(int column, int row);
   void decide(Level& level, const Cell& cell);
   /// @param portals  that its photon entered, as a trail tells them
   [[nodiscard]] std::uint32_t kind_of(const Arrival& arrival, std::uint64_t portals);
@@ -108,7 +108,7 @@ class Lattice {
 
   const World& world_;
   const BeamGuard& guard_;
-  FilmCamera view_;
+  PhotonSource source_;
   Window tile_;
   std::array<Level, 3> levels_{Level{4}, Level{2}, Level{1}};
   std::vector<PixelSpan> pixels_;  ///< of the coarse cells; less than 0 until they are asked for
@@ -117,6 +117,7 @@ class Lattice {
   std::size_t columns_ = 0;
   std::vector<std::uint32_t> nodes_;
   std::vector<Photon> guides_;
+  std::vector<FilmPlace> aims_;       ///< where photons go through that have not been sent yet
   std::vector<Arrival> arrivals_;     ///< of the guides
   std::vector<Trail> trails_;         ///< of the guides, and room for more
   std::vector<std::uint32_t> kinds_;  ///< of the guides; `none` if nobody else can tell it
