@@ -31,6 +31,8 @@ constexpr double share_aside = 0.5;
 constexpr double by_halving = 20.0;
 /// Coarse cells that are decided together, about: their guides fill the lanes.
 constexpr int cells_at_once = 96;
+/// Kinds that guides of a tile are compared with before all is forgotten.
+constexpr std::size_t most_kinds = 256;
 /// Nodes for which there is room from the beginning.
 constexpr std::size_t most_room = 2048;
 
@@ -47,6 +49,14 @@ void Lattice::Level::clear(int column, int row, int column_count, int row_count)
   columns = column_count;
   rows = row_count;
   smooth.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), none);
+}
+
+void Lattice::Nodes::clear(int column, int row, int column_count, int row_count) {
+  first_column = column;
+  first_row = row;
+  columns = column_count;
+  rows = row_count;
+  guides.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), none);
 }
 
 Lattice::Lattice(const World& world, const BeamGuard& guard, const Window& tile)
@@ -66,22 +76,54 @@ void Lattice::lay_over(const Window& tile) {
   settled_ = row;
   // The coarse cells and two more about them hold all nodes that are ever asked for.
   const int stride = levels_[0].stride;
-  first_column_ = stride * (column - 2);
-  first_row_ = stride * (row - 2);
-  columns_ = static_cast<std::size_t>(stride * (columns + 4) + 1);
-  nodes_.assign(columns_ * static_cast<std::size_t>(stride * (rows + 4) + 1), none);
-  guides_.clear();
-  kinds_.clear();
-  known_kinds_.clear();
-  arrivals_.clear();
+  std::swap(nodes_, nodes_before_);
+  nodes_.clear(stride * (column - 2), stride * (row - 2), stride * (columns + 4) + 1,
+               stride * (rows + 4) + 1);
+  keep_guides(nodes_before_);
   smooth_.clear();
   // So that nothing moves while it grows; what is not used costs nothing.
-  const std::size_t room = std::min(nodes_.size(), most_room);
+  const std::size_t room = std::min(nodes_.guides.size(), most_room);
   guides_.reserve(room);
   kinds_.reserve(room);
   arrivals_.reserve(room);
   trails_.reserve(room);
   smooth_.reserve(room);
+}
+
+/// Neighbouring tiles are often taken one after the other, and share a fifth of their guides.
+void Lattice::keep_guides(Nodes& before) {
+  const int left = std::max(nodes_.first_column, before.first_column);
+  const int right =
+      std::min(nodes_.first_column + nodes_.columns, before.first_column + before.columns);
+  const int top = std::max(nodes_.first_row, before.first_row);
+  const int bottom = std::min(nodes_.first_row + nodes_.rows, before.first_row + before.rows);
+  kept_.assign(guides_.size(), none);
+  if (known_kinds_.size() > most_kinds) {  // they are searched one by one
+    known_kinds_.clear();
+    before.guides.assign(before.guides.size(), none);
+  }
+  const auto for_shared_nodes = [&](const auto& action) {
+    for (int row = top; row < bottom; ++row)
+      for (int column = left; column < right; ++column)
+        if (const std::uint32_t guide = before.at(column, row); guide != none)
+          action(column, row, guide);
+  };
+  for_shared_nodes([&](int, int, std::uint32_t guide) { kept_[guide] = guide; });
+  std::uint32_t count = 0;
+  for (std::size_t guide = 0; guide < kept_.size(); ++guide) {
+    if (kept_[guide] == none) continue;
+    kept_[guide] = count;
+    guides_[count] = guides_[guide];
+    arrivals_[count] = arrivals_[guide];
+    kinds_[count] = kinds_[guide];
+    if (guide < trails_.size()) std::swap(trails_[count], trails_[guide]);
+    ++count;
+  }
+  for_shared_nodes(
+      [&](int column, int row, std::uint32_t guide) { node(column, row) = kept_[guide]; });
+  kinds_.resize(count);
+  guides_.resize(count);
+  arrivals_.resize(count);
 }
 
 Lattice::Spot Lattice::spot_in(const Level& level, const FilmPlace& place) {

@@ -28,7 +28,8 @@ class Lattice {
   /// Borrows both.
   Lattice(const World& world, const BeamGuard& guard, const Window& tile);
 
-  /// Forgets everything, for another tile. Fresh memory costs more than what is done in it.
+  /// Forgets everything, for another tile, but guides that both may ask for. Fresh memory costs
+  /// more than what is done in it.
   void lay_over(const Window& tile);
 
   /// Where the photons of camera samples arrive.
@@ -82,11 +83,19 @@ class Lattice {
     double left, top, side;  ///< on the film
   };
 
-  /// Which guide is at a node.
-  [[nodiscard]] std::uint32_t& node(int column, int row) {
-    return nodes_[static_cast<std::size_t>(row - first_row_) * columns_ +
-                  static_cast<std::size_t>(column - first_column_)];
-  }
+  /// Which guides are at the nodes of a rectangle.
+  struct Nodes {
+    int first_column = 0, first_row = 0, columns = 0, rows = 0;
+    std::vector<std::uint32_t> guides{};  ///< `none` where nobody has asked for one
+
+    void clear(int first_column, int first_row, int columns, int rows);
+    [[nodiscard]] std::uint32_t& at(int column, int row) {
+      return guides[static_cast<std::size_t>(row - first_row) * static_cast<std::size_t>(columns) +
+                    static_cast<std::size_t>(column - first_column)];
+    }
+  };
+  [[nodiscard]] std::uint32_t& node(int column, int row) { return nodes_.at(column, row); }
+  void keep_guides(Nodes& before);
   [[nodiscard]] static Spot spot_in(const Level& level, const FilmPlace& place);
   /// Whether samples of the tile may lie in that cell.
   [[nodiscard]] bool holds_samples(const Level& level, int column, int row) const;
@@ -113,15 +122,14 @@ class Lattice {
   std::array<Level, 3> levels_{Level{4}, Level{2}, Level{1}};
   std::vector<PixelSpan> pixels_;  ///< of the coarse cells; less than 0 until they are asked for
   int settled_ = 0;                ///< the coarse row down to which cells are decided
-  int first_column_ = 0, first_row_ = 0;
-  std::size_t columns_ = 0;
-  std::vector<std::uint32_t> nodes_;
+  Nodes nodes_, nodes_before_;
   std::vector<Photon> guides_;
   std::vector<FilmPlace> aims_;       ///< where photons go through that have not been sent yet
   std::vector<Arrival> arrivals_;     ///< of the guides
   std::vector<Trail> trails_;         ///< of the guides, and room for more
   std::vector<std::uint32_t> kinds_;  ///< of the guides; `none` if nobody else can tell it
   std::vector<Kind> known_kinds_;
+  std::vector<std::uint32_t> kept_;  ///< guides of the tile before, and where they are now
   std::vector<Bicubic> smooth_;
   std::vector<Cell> undecided_;
   std::vector<Cell> beside_;         ///< to be tried again with other guides
