@@ -81,6 +81,8 @@ void Lattice::lay_over(const Window& tile) {
                stride * (rows + 4) + 1);
   keep_guides(nodes_before_);
   smooth_.clear();
+  own_places_.clear();
+  taken_ = 0;
   // So that nothing moves while it grows; what is not used costs nothing.
   const std::size_t room = std::min(nodes_.guides.size(), most_room);
   guides_.reserve(room);
@@ -116,7 +118,7 @@ void Lattice::keep_guides(Nodes& before) {
     guides_[count] = guides_[guide];
     arrivals_[count] = arrivals_[guide];
     kinds_[count] = kinds_[guide];
-    if (guide < trails_.size()) std::swap(trails_[count], trails_[guide]);
+    std::swap(trails_[count], trails_[guide]);
     ++count;
   }
   for_shared_nodes(
@@ -140,16 +142,17 @@ void Lattice::want_guide(int column, int row) {
   aims_.push_back({place_of(column), place_of(row)});
 }
 
-void Lattice::send_guides(const Level& level, Tally& tally) {
+void Lattice::send_guides(Tally& tally) {
   aims_.clear();
   const Cell* before = nullptr;
   for (const Cell& cell : undecided_) {
     // A neighbour on the left has all but the last column.
-    const bool beside = before && before->row == cell.row && before->column + 1 == cell.column &&
-                        before->aside == cell.aside;
+    const bool beside = before && before->level == cell.level && before->row == cell.row &&
+                        before->column + 1 == cell.column && before->aside == cell.aside;
+    const int stride = levels_[cell.level].stride;
     for (int j = cell.aside.down - 1; j < cell.aside.down + 3; ++j)
       for (int i = cell.aside.right + (beside ? 2 : -1); i < cell.aside.right + 3; ++i)
-        want_guide((cell.column + i) * level.stride, (cell.row + j) * level.stride);
+        want_guide((cell.column + i) * stride, (cell.row + j) * stride);
     before = &cell;
   }
   const std::size_t first = guides_.size(), count = aims_.size();
@@ -160,16 +163,10 @@ void Lattice::send_guides(const Level& level, Tally& tally) {
   const auto photons = std::span(guides_).subspan(first);
   source_.send(aims_, photons);
   const auto arrivals = std::span(arrivals_).subspan(first);
-  // In the finest cells nobody looks for obstacles again.
-  if (level.stride == 1 && world_.space.portals.portals().empty()) {
-    portalens::advance(world_.space, photons, arrivals);
-    for (std::size_t i = first; i < guides_.size(); ++i) kinds_[i] = kind_of(arrivals_[i], 0);
-  } else {
-    if (trails_.size() < guides_.size()) trails_.resize(guides_.size());
-    advance_with_trails(world_.space, photons, arrivals, std::span(trails_).subspan(first, count));
-    for (std::size_t i = first; i < guides_.size(); ++i)
-      kinds_[i] = trails_[i].known() ? kind_of(arrivals_[i], trails_[i].portals()) : none;
-  }
+  if (trails_.size() < guides_.size()) trails_.resize(guides_.size());
+  advance_with_trails(world_.space, photons, arrivals, std::span(trails_).subspan(first, count));
+  for (std::size_t i = first; i < guides_.size(); ++i)
+    kinds_[i] = trails_[i].known() ? kind_of(arrivals_[i], trails_[i].portals()) : none;
   tally.guides += count;
 }
 
@@ -204,15 +201,15 @@ std::uint32_t Lattice::kind_of(const Arrival& arrival, std::uint64_t portals) {
   return static_cast<std::uint32_t>(i - 1);
 }
 
-void Lattice::decide(Level& level, const Cell& cell) {
+void Lattice::decide(const Cell& cell) {
+  Level& level = levels_[cell.level];
   const auto corner = [&](int i, int j) {
     return node((cell.column + i) * level.stride, (cell.row + j) * level.stride);
   };
   const std::uint32_t first = corner(0, 0);
-  if (kinds_[first] == none) return;
   Kinds kinds;
   Bicubic::Guides guides;
-  bool agree = true;
+  bool agree = kinds_[first] != none;
   for (int j = 0; j < 4; ++j)
     for (int i = 0; i < 4; ++i) {
       const std::uint32_t guide = corner(cell.aside.right + i - 1, cell.aside.down + j - 1);
@@ -220,13 +217,10 @@ void Lattice::decide(Level& level, const Cell& cell) {
       kinds[j][i] = kinds_[guide];
       agree = agree && kinds[j][i] == kinds_[first];
     }
-  const bool finest = level.stride == 1;
-  if (!agree) {
-    if (cell.aside.is_none() && !finest) look_aside(cell, kinds);
-    return;
-  }
+  if (!agree) return look_aside(cell, kinds);
   const int share = levels_[0].stride / level.stride;
   const PixelSpan& pixel = pixel_in(cell.column / share, cell.row / share);
+  const bool finest = cell.level + 1 == levels_.size();
   const double halved = finest ? 1.0 : by_halving;
   const double most =
       most_third_difference(world_.space) * (cell.aside.is_none() ? 1.0 : share_aside);
@@ -238,15 +232,20 @@ void Lattice::decide(Level& level, const Cell& cell) {
         arrivals_[first]);
   };
   const bool usable = roughness <= halved && (cell.clear || clear());
-  const bool fits = usable && roughness <= 1.0;
-  if (usable)
+  if (usable && roughness <= 1.0) {
     level.smooth[level.index(cell.column, cell.row)] =
-        fits ? static_cast<std::uint32_t>(smooth_.size() - 1) : bent;
-  if (!fits) smooth_.pop_back();
+        static_cast<std::uint32_t>(smooth_.size() - 1);
+    return;
+  }
+  smooth_.pop_back();
+  if (usable || cell.level == 0) halve(cell, usable);
 }
 
-/// Beside an edge of what is seen, sixteen may agree that lie further from it.
+/// Beside an edge of what is seen, sixteen may agree that lie further from it. The largest cells
+/// are better halved, and of the smallest are too many.
 void Lattice::look_aside(const Cell& cell, const Kinds& kinds) {
+  if (cell.level == 0) return halve(cell, false);
+  if (cell.level + 1 == levels_.size() || !cell.aside.is_none() || kinds[1][1] == none) return;
   constexpr NodeStep steps[] = {{-1, 0},  {1, 0},  {0, -1}, {0, 1},
                                 {-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
   for (const NodeStep& step : steps) {
@@ -255,56 +254,40 @@ void Lattice::look_aside(const Cell& cell, const Kinds& kinds) {
       for (int i = std::max(0, step.right); i < std::min(4, 4 + step.right); ++i)
         all = all && kinds[j][i] == kinds[1][1];
     if (!all) continue;
-    beside_.push_back({cell.column, cell.row, cell.clear, step});
+    next_.push_back({cell.level, cell.column, cell.row, cell.clear, step});
     return;
   }
 }
 
-void Lattice::settle(Level& level, Tally& tally) {
-  while (!undecided_.empty()) {
-    send_guides(level, tally);
-    beside_.clear();
-    for (const Cell& cell : undecided_) decide(level, cell);
-    std::swap(undecided_, beside_);
-  }
+void Lattice::halve(const Cell& cell, bool clear) {
+  const std::size_t half = cell.level + 1;
+  for (int j = 2 * cell.row; j < 2 * cell.row + 2; ++j)
+    for (int i = 2 * cell.column; i < 2 * cell.column + 2; ++i)
+      if (holds_samples(levels_[half], i, j)) next_.push_back({half, i, j, clear});
 }
 
 bool Lattice::holds_samples(const Level& level, int column, int row) const {
   const double side = level.stride * spacing, left = place_of(column * level.stride),
                top = place_of(row * level.stride);
   // One sample alone lies in the centre of its pixel.
-  const double first = world_.sampling.samples == 1 ? 0.5 : 0.0;
+  const double first = is_central() ? 0.5 : 0.0;
   return left + side > tile_.x0 + first && left < tile_.x1 && top + side > tile_.y0 + first &&
          top < tile_.y1;
 }
 
-/// Makes those cells undecided that the undone ones of a level fall into.
-/// @param row, end  of the level
-void Lattice::halve(const Level& level, const Level& half, int row, int end) {
-  const bool coarse = level.stride == levels_[0].stride;
-  for (int j = 2 * row; j < 2 * end; ++j)
-    for (int i = 0; i < half.columns; ++i) {
-      const int column = half.first_column + i;
-      const std::uint32_t larger = level.smooth[level.index(column / 2, j / 2)];
-      if (larger != bent && !(coarse && larger == none)) continue;
-      if (holds_samples(half, column, j)) undecided_.push_back({column, j, larger == bent});
-    }
-}
-
 void Lattice::settle_from(int row, Tally& tally) {
-  Level& coarse = levels_[0];
+  const Level& coarse = levels_[0];
   const int end =
       std::min(coarse.first_row + coarse.rows, row + std::max(1, cells_at_once / coarse.columns));
   undecided_.clear();
   for (int j = row; j < end; ++j)
     for (int i = coarse.first_column; i < coarse.first_column + coarse.columns; ++i)
-      if (holds_samples(coarse, i, j)) undecided_.push_back({i, j});
-  settle(coarse, tally);
-  for (std::size_t l = 1; l < levels_.size(); ++l) {
-    undecided_.clear();
-    const int share = coarse.stride / levels_[l - 1].stride;
-    halve(levels_[l - 1], levels_[l], share * row, share * end);
-    settle(levels_[l], tally);
+      if (holds_samples(coarse, i, j)) undecided_.push_back({0, i, j});
+  while (!undecided_.empty()) {
+    send_guides(tally);
+    next_.clear();
+    for (const Cell& cell : undecided_) decide(cell);
+    std::swap(undecided_, next_);
   }
   settled_ = end;
 }
@@ -319,7 +302,7 @@ Lattice::Patch Lattice::patch_at(const FilmPlace& place) const {
     const Spot spot = spot_in(level, place);
     const std::uint32_t smooth = level.smooth[level.index(spot.column, spot.row)];
     const double side = level.stride * spacing;
-    if (smooth < bent)
+    if (smooth != none)
       return {smooth, first_node + spot.column * side, first_node + spot.row * side, side};
   }
   return {none, 0.0, 0.0, 0.0};
@@ -335,6 +318,8 @@ void Lattice::advance(std::span<const FilmPlace> places, std::span<Arrival> arri
     if (patch.smooth == none) {
       if (const std::uint32_t guide = guide_at(places[i]); guide != none)
         arrivals[i] = arrivals_[guide];
+      else if (is_central())
+        arrivals[i] = own_arrival(places[i], places.size());
       else
         left_.push_back(static_cast<std::uint32_t>(i));
       ++i;
@@ -352,13 +337,50 @@ void Lattice::advance(std::span<const FilmPlace> places, std::span<Arrival> arri
   send_left(places, arrivals);
 }
 
-void Lattice::send_left(std::span<const FilmPlace> places, std::span<Arrival> arrivals) {
-  own_.resize(left_.size());
-  found_.resize(left_.size());
-  aims_.clear();
-  for (const std::uint32_t i : left_) aims_.push_back(places[i]);
-  source_.send(aims_, own_);
+/// Ways of their own are gone many at a time, also those of samples that will be asked for later.
+const Arrival& Lattice::own_arrival(const FilmPlace& place, std::size_t at_once) {
+  const auto is_before = [](const FilmPlace& a, const FilmPlace& b) {
+    return a.y < b.y || (a.y == b.y && a.x < b.x);
+  };
+  while (taken_ < own_places_.size() && is_before(own_places_[taken_], place)) ++taken_;
+  if (taken_ == own_places_.size() || is_before(place, own_places_[taken_])) {
+    own_places_.clear();
+    taken_ = 0;
+    find_own(place, at_once);
+    send_own();
+  }
+  return found_[taken_++];
+}
+
+/// @post the first is `from` @pre which is one of them, and most > 0
+void Lattice::find_own(const FilmPlace& from, std::size_t most) {
+  for (FilmPlace at = from; at.y < tile_.y1 && own_places_.size() < most;
+       ++at.y, at.x = tile_.x0 + 0.5) {
+    if (spot_in(levels_[0], at).row >= settled_) return;
+    while (at.x < tile_.x1 && own_places_.size() < most) {
+      const Patch patch = patch_at(at);
+      if (patch.smooth == none) {
+        if (guide_at(at) == none) own_places_.push_back(at);
+        ++at.x;
+      } else {
+        at.x = patch.left + patch.side;
+      }
+    }
+  }
+}
+
+void Lattice::send_own() {
+  own_.resize(own_places_.size());
+  found_.resize(own_places_.size());
+  source_.send(own_places_, own_);
   portalens::advance(world_.space, own_, found_);
+}
+
+void Lattice::send_left(std::span<const FilmPlace> places, std::span<Arrival> arrivals) {
+  if (left_.empty()) return;
+  own_places_.clear();
+  for (const std::uint32_t i : left_) own_places_.push_back(places[i]);
+  send_own();
   for (std::size_t i = 0; i < left_.size(); ++i) arrivals[left_[i]] = found_[i];
 }
 

@@ -39,14 +39,12 @@ class Lattice {
 
  private:
   static constexpr std::uint32_t none = 0xffffffff;
-  /// Of a cell: what is in it agrees, but bends too much between nodes that far apart.
-  static constexpr std::uint32_t bent = none - 1;
 
   /// Cells of one size, counted from the first node's.
   struct Level {
     int stride;  ///< nodes from corner to corner
     int first_column = 0, first_row = 0, columns = 0, rows = 0;
-    std::vector<std::uint32_t> smooth{};  ///< the polynomial of each cell, `none` or `bent`
+    std::vector<std::uint32_t> smooth{};  ///< the polynomial of each cell, or `none`
 
     /// So many cells, none of them smooth.
     void clear(int first_column, int first_row, int columns, int rows);
@@ -57,6 +55,7 @@ class Lattice {
   };
   /// A cell, and where those lie that it is interpolated from.
   struct Cell {
+    std::size_t level;
     int column, row;
     bool clear = false;  ///< nothing lies in it but what its guides met
     NodeStep aside{};    ///< from the nodes about it to the inner four of the sixteen
@@ -97,22 +96,28 @@ class Lattice {
   [[nodiscard]] std::uint32_t& node(int column, int row) { return nodes_.at(column, row); }
   void keep_guides(Nodes& before);
   [[nodiscard]] static Spot spot_in(const Level& level, const FilmPlace& place);
+  /// Whether a pixel has but one sample, in its centre.
+  [[nodiscard]] bool is_central() const { return world_.sampling.samples == 1; }
   /// Whether samples of the tile may lie in that cell.
   [[nodiscard]] bool holds_samples(const Level& level, int column, int row) const;
   void settle_from(int row, Tally& tally);
-  void settle(Level& level, Tally& tally);
-  void halve(const Level& level, const Level& half, int row, int end);
-  void send_guides(const Level& level, Tally& tally);
   void want_guide(int column, int row);
-  void decide(Level& level, const Cell& cell);
+  void send_guides(Tally& tally);
+  void decide(const Cell& cell);
+  void look_aside(const Cell& cell, const Kinds& kinds);
+  void halve(const Cell& cell, bool clear);
   /// @param portals  that its photon entered, as a trail tells them
   [[nodiscard]] std::uint32_t kind_of(const Arrival& arrival, std::uint64_t portals);
-  void look_aside(const Cell& cell, const Kinds& kinds);
   /// Along the edge of a coarse cell where it is least.
   [[nodiscard]] const PixelSpan& pixel_in(int column, int row);
   /// The guide that went through that very place, if there was one.
   [[nodiscard]] std::uint32_t guide_at(const FilmPlace& place);
   [[nodiscard]] Patch patch_at(const FilmPlace& place) const;
+  /// What the photon of that sample finds on a way of its own. @pre is_central()
+  /// @param at_once  so many photons may be sent, for later samples too
+  [[nodiscard]] const Arrival& own_arrival(const FilmPlace& place, std::size_t at_once);
+  void find_own(const FilmPlace& from, std::size_t most);
+  void send_own();
   void send_left(std::span<const FilmPlace> places, std::span<Arrival> arrivals);
 
   const World& world_;
@@ -132,10 +137,12 @@ class Lattice {
   std::vector<std::uint32_t> kept_;  ///< guides of the tile before, and where they are now
   std::vector<Bicubic> smooth_;
   std::vector<Cell> undecided_;
-  std::vector<Cell> beside_;         ///< to be tried again with other guides
-  std::vector<std::uint32_t> left_;  ///< samples whose photons go their own way
-  std::vector<Photon> own_;          ///< these
-  std::vector<Arrival> found_;       ///< and what they found
+  std::vector<Cell> next_;             ///< undecided when those are decided
+  std::vector<std::uint32_t> left_;    ///< samples whose photons go their own way
+  std::vector<FilmPlace> own_places_;  ///< of samples whose photons have gone their own way,
+  std::vector<Photon> own_;            ///< these photons,
+  std::vector<Arrival> found_;         ///< what they found,
+  std::size_t taken_ = 0;              ///< and how many of them have been asked for
 };
 
 }  // namespace portalens
