@@ -41,7 +41,7 @@ void advance(const Space& space, std::span<const Photon> photons, std::span<Arri
 void advance_with_trails(const Space& space, std::span<const Photon> photons,
                          std::span<Arrival> arrivals, std::span<Trail> trails) {
   assert(takes_lanes(space, Engine::automatic));
-  assert(photons.size() == arrivals.size() && photons.size() == trails.size());
+  assert(photons.size() == arrivals.size() && trails.size() <= photons.size());
   for (Trail& trail : trails) trail.restart();
   advance_in_lanes(space, *space.lanes, lane_engine().step, photons, arrivals, trails);
 }

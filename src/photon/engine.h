@@ -31,9 +31,9 @@ void advance(const Space& space, std::span<const Photon> photons, std::span<Arri
 /// Whether that engine advances photons of the space in lanes.
 [[nodiscard]] bool takes_lanes(const Space& space, Engine engine);
 
-/// The same in lanes, with the trails of all photons in few words.
+/// The same in lanes, with the trails of the first photons in few words.
 /// @param trails  what they told before is forgotten
-/// @pre takes_lanes(space, Engine::automatic), trails.size() == photons.size()
+/// @pre takes_lanes(space, Engine::automatic), trails.size() <= photons.size()
 void advance_with_trails(const Space& space, std::span<const Photon> photons,
                          std::span<Arrival> arrivals, std::span<Trail> trails);
 

@@ -41,7 +41,7 @@ class LaneDriver {
         const int lane = std::countr_zero(events);
         const auto event = static_cast<LaneEvent>(static_cast<int>(lanes_.event[lane]));
         if (event == LaneEvent::cross) {
-          if (!trails_.empty()) note_passage(lane);
+          if (is_told(lane)) note_passage(lane);
           continue;
         }
         const bool stayed = event == LaneEvent::escape || event == LaneEvent::consult;
@@ -91,9 +91,9 @@ class LaneDriver {
     const bool whole = (whole_ >> lane & 1) != 0;
     const PathStart start = whole ? PathStart{photons_[photon_[lane]].departure} : starts_[lane];
     const Travel way{state, start.after(arrival.length - begun), arrival};
-    if (!trails_.empty() && event == LaneEvent::horizon && object >= most_lane_masses)
+    if (is_told(lane) && event == LaneEvent::horizon && object >= most_lane_masses)
       note_passage(lane);
-    if (!trails_.empty()) note_place(lane, state);
+    if (is_told(lane)) note_place(lane, state);
     scalar_.resume(way);
     const bool arrived = event == LaneEvent::portal    ? meet_portal(way, object)
                          : event == LaneEvent::horizon ? scalar_.absorb(plan_.mass_of(object))
@@ -102,15 +102,18 @@ class LaneDriver {
       arrival = scalar_.way().arrived();
       end(lane);
     } else {
-      if (!trails_.empty() && scalar_.way().arrival.crossings != arrival.crossings) {
+      if (is_told(lane) && scalar_.way().arrival.crossings != arrival.crossings) {
         Trail& told = trails_[photon_[lane]];
         event == LaneEvent::portal ? told.cross(object) : told.lose_sight();
       }
       arrival = scalar_.way().arrival;
-      if (!trails_.empty()) note_place(lane, scalar_.way().state);
+      if (is_told(lane)) note_place(lane, scalar_.way().state);
       put_back(lane, scalar_.way(), scalar_.free_length());
     }
   }
+
+  /// Whether anybody asks for the way of its photon.
+  [[nodiscard]] bool is_told(int lane) const { return photon_[lane] < trails_.size(); }
 
   /// Its way through the influence of a lone mass, which it has just left or ended in.
   void note_passage(int lane) {
@@ -131,7 +134,7 @@ class LaneDriver {
   void note_places(std::uint32_t moved) {
     for (; moved != 0; moved &= moved - 1) {
       const int lane = std::countr_zero(moved);
-      if (lanes_.live[lane] > 0.0f)
+      if (lanes_.live[lane] > 0.0f && is_told(lane))
         trails_[photon_[lane]].pass(
             plan_.center + Vec3d{lanes_.x[lane], lanes_.y[lane], lanes_.z[lane]},
             lanes_.length[lane], lanes_.turning[lane]);
@@ -147,7 +150,7 @@ class LaneDriver {
   }
 
   void end(int lane) {
-    if (!trails_.empty()) note_end(arrivals_[photon_[lane]], trails_[photon_[lane]]);
+    if (is_told(lane)) note_end(arrivals_[photon_[lane]], trails_[photon_[lane]]);
     --travelling_;
     refill(lane);
   }
@@ -246,7 +249,7 @@ class LaneDriver {
       whole_ |= std::uint32_t{1} << lane;
       put(lane, {photon.position, photon.direction}, photon.departure, 0.0);
       lanes_.length[lane] = lanes_.turning[lane] = lanes_.steps[lane] = 0.0f;
-      if (!trails_.empty()) trails_[index].pass(photon.position, 0.0, 0.0);
+      if (index < trails_.size()) trails_[index].pass(photon.position, 0.0, 0.0);
       ++travelling_;
       return;
     }
@@ -270,7 +273,7 @@ class LaneDriver {
   Tracer<Radau, C> scalar_;
   std::span<const Photon> photons_;
   std::span<Arrival> arrivals_;
-  std::span<Trail> trails_;  ///< empty where nobody asks
+  std::span<Trail> trails_;  ///< of the first photons
   std::span<const Shape> shapes_;
   std::optional<Vec3d> begun_;  ///< the last place from which a photon could begin
   Lanes lanes_;

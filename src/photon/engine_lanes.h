@@ -13,7 +13,7 @@ namespace portalens {
 
 struct Space;
 
-/// @param trails  empty, or one for each photon, which gets its way
+/// @param trails  of the first photons, each of which gets its way
 /// @pre `step` is not null; `plan` was made from `space`
 void advance_in_lanes(const Space& space, const LanePlan& plan, LaneStep step,
                       std::span<const Photon> photons, std::span<Arrival> arrivals,

@@ -13,8 +13,8 @@ namespace {
 
 /// Pixels between two nodes.
 constexpr int spacing = 2;
-/// And between those of the coarsest cells.
-constexpr int coarse_spacing = 4 * spacing;
+/// Nodes from corner to corner of the largest cells, and pixels.
+constexpr int coarse = 4, coarse_spacing = coarse * spacing;
 /// Where the first node lies: nodes are centres of pixels, and no sample lies before the first.
 constexpr double first_node = 0.5 - coarse_spacing;
 
@@ -41,23 +41,20 @@ int cell_before(int pixel) { return (pixel + coarse_spacing - 1) / coarse_spacin
 
 double place_of(int node) { return first_node + node * spacing; }
 
+/// A place among cells of one size.
+struct Spot {
+  int column, row;
+  double u, v;  ///< shares of the cell, from its upper left corner
+};
+
+Spot spot_in(int stride, const FilmPlace& place) {
+  const double cells = 1.0 / (stride * spacing);  // a power of 2: nothing is rounded
+  const double x = (place.x - first_node) * cells, y = (place.y - first_node) * cells;
+  const int column = static_cast<int>(x), row = static_cast<int>(y);
+  return {column, row, x - column, y - row};
+}
+
 }  // namespace
-
-void Lattice::Level::clear(int column, int row, int column_count, int row_count) {
-  first_column = column;
-  first_row = row;
-  columns = column_count;
-  rows = row_count;
-  smooth.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), none);
-}
-
-void Lattice::Nodes::clear(int column, int row, int column_count, int row_count) {
-  first_column = column;
-  first_row = row;
-  columns = column_count;
-  rows = row_count;
-  guides.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), none);
-}
 
 Lattice::Lattice(const World& world, const BeamGuard& guard, const Window& tile)
     : world_(world), guard_(guard), source_(world) {
@@ -68,49 +65,42 @@ void Lattice::lay_over(const Window& tile) {
   tile_ = tile;
   const int column = cell_before(tile.x0), row = cell_before(tile.y0);
   const int columns = cell_before(tile.x1) - column + 1, rows = cell_before(tile.y1) - row + 1;
-  for (Level& level : levels_) {
-    const int share = levels_[0].stride / level.stride;
-    level.clear(share * column, share * row, share * columns, share * rows);
-  }
-  pixels_.assign(levels_[0].smooth.size(), {-1.0, -1.0});
   settled_ = row;
+  pixels_.lay(column, row, columns, rows, {-1.0, -1.0});
+  cells_.lay(coarse * column, coarse * row, coarse * columns, coarse * rows, none);
   // The coarse cells and two more about them hold all nodes that are ever asked for.
-  const int stride = levels_[0].stride;
   std::swap(nodes_, nodes_before_);
-  nodes_.clear(stride * (column - 2), stride * (row - 2), stride * (columns + 4) + 1,
-               stride * (rows + 4) + 1);
-  keep_guides(nodes_before_);
-  smooth_.clear();
+  nodes_.lay(coarse * (column - 2), coarse * (row - 2), coarse * (columns + 4) + 1,
+             coarse * (rows + 4) + 1, none);
+  keep_guides();
+  patches_.clear();
   own_places_.clear();
   taken_ = 0;
   // So that nothing moves while it grows; what is not used costs nothing.
-  const std::size_t room = std::min(nodes_.guides.size(), most_room);
+  const std::size_t room = std::min(nodes_.size(), most_room);
   guides_.reserve(room);
   kinds_.reserve(room);
   arrivals_.reserve(room);
   trails_.reserve(room);
-  smooth_.reserve(room);
+  patches_.reserve(room);
 }
 
 /// Neighbouring tiles are often taken one after the other, and share a fifth of their guides.
-void Lattice::keep_guides(Nodes& before) {
-  const int left = std::max(nodes_.first_column, before.first_column);
-  const int right =
-      std::min(nodes_.first_column + nodes_.columns, before.first_column + before.columns);
-  const int top = std::max(nodes_.first_row, before.first_row);
-  const int bottom = std::min(nodes_.first_row + nodes_.rows, before.first_row + before.rows);
+void Lattice::keep_guides() {
   kept_.assign(guides_.size(), none);
-  if (known_kinds_.size() > most_kinds) {  // they are searched one by one
-    known_kinds_.clear();
-    before.guides.assign(before.guides.size(), none);
-  }
   const auto for_shared_nodes = [&](const auto& action) {
-    for (int row = top; row < bottom; ++row)
-      for (int column = left; column < right; ++column)
-        if (const std::uint32_t guide = before.at(column, row); guide != none)
+    for (int row = std::max(nodes_.top(), nodes_before_.top());
+         row < std::min(nodes_.bottom(), nodes_before_.bottom()); ++row)
+      for (int column = std::max(nodes_.left(), nodes_before_.left());
+           column < std::min(nodes_.right(), nodes_before_.right()); ++column)
+        if (const std::uint32_t guide = nodes_before_.at(column, row); guide != none)
           action(column, row, guide);
   };
-  for_shared_nodes([&](int, int, std::uint32_t guide) { kept_[guide] = guide; });
+  // Kinds are searched one by one: when there are too many, all is forgotten.
+  if (known_kinds_.size() <= most_kinds)
+    for_shared_nodes([&](int, int, std::uint32_t guide) { kept_[guide] = guide; });
+  else
+    known_kinds_.clear();
   std::uint32_t count = 0;
   for (std::size_t guide = 0; guide < kept_.size(); ++guide) {
     if (kept_[guide] == none) continue;
@@ -122,69 +112,75 @@ void Lattice::keep_guides(Nodes& before) {
     ++count;
   }
   for_shared_nodes(
-      [&](int column, int row, std::uint32_t guide) { node(column, row) = kept_[guide]; });
-  kinds_.resize(count);
+      [&](int column, int row, std::uint32_t guide) { nodes_.at(column, row) = kept_[guide]; });
   guides_.resize(count);
   arrivals_.resize(count);
+  kinds_.resize(count);
 }
 
-Lattice::Spot Lattice::spot_in(const Level& level, const FilmPlace& place) {
-  const double cells = 1.0 / (level.stride * spacing);  // a power of 2: nothing is rounded
-  const double x = (place.x - first_node) * cells, y = (place.y - first_node) * cells;
-  const int column = static_cast<int>(x), row = static_cast<int>(y);
-  return {column, row, x - column, y - row};
+bool Lattice::holds_samples(const Cell& cell) const {
+  const double side = cell.stride * spacing, left = place_of(cell.column * cell.stride),
+               top = place_of(cell.row * cell.stride);
+  const double first = is_central() ? 0.5 : 0.0;
+  return left + side > tile_.x0 + first && left < tile_.x1 && top + side > tile_.y0 + first &&
+         top < tile_.y1;
 }
 
-void Lattice::want_guide(int column, int row) {
-  std::uint32_t& guide = node(column, row);
-  if (guide != none) return;
-  guide = static_cast<std::uint32_t>(guides_.size() + aims_.size());
-  aims_.push_back({place_of(column), place_of(row)});
+void Lattice::settle_from(int row, Tally& tally) {
+  const int columns = pixels_.right() - pixels_.left();
+  const int end = std::min(pixels_.bottom(), row + std::max(1, cells_at_once / columns));
+  undecided_.clear();
+  for (int j = row; j < end; ++j)
+    for (int i = pixels_.left(); i < pixels_.right(); ++i)
+      if (const Cell cell{coarse, i, j}; holds_samples(cell)) undecided_.push_back(cell);
+  while (!undecided_.empty()) {
+    send_guides(tally);
+    next_.clear();
+    for (const Cell& cell : undecided_) decide(cell);
+    std::swap(undecided_, next_);
+  }
+  settled_ = end;
+}
+
+void Lattice::want_guides(bool finest) {
+  for (const Cell& cell : undecided_) {
+    if ((cell.stride == 1) != finest) continue;
+    for (int j = cell.aside.down - 1; j < cell.aside.down + 3; ++j)
+      for (int i = cell.aside.right - 1; i < cell.aside.right + 3; ++i) {
+        const int column = (cell.column + i) * cell.stride, row = (cell.row + j) * cell.stride;
+        std::uint32_t& guide = nodes_.at(column, row);
+        if (guide != none) continue;
+        guide = static_cast<std::uint32_t>(guides_.size() + aims_.size());
+        aims_.push_back({place_of(column), place_of(row)});
+      }
+  }
 }
 
 void Lattice::send_guides(Tally& tally) {
   aims_.clear();
-  const Cell* before = nullptr;
-  for (const Cell& cell : undecided_) {
-    // A neighbour on the left has all but the last column.
-    const bool beside = before && before->level == cell.level && before->row == cell.row &&
-                        before->column + 1 == cell.column && before->aside == cell.aside;
-    const int stride = levels_[cell.level].stride;
-    for (int j = cell.aside.down - 1; j < cell.aside.down + 3; ++j)
-      for (int i = cell.aside.right + (beside ? 2 : -1); i < cell.aside.right + 3; ++i)
-        want_guide((cell.column + i) * stride, (cell.row + j) * stride);
-    before = &cell;
-  }
+  want_guides(false);
+  // In the smallest cells nobody looks for obstacles again, and who meets no portal has nothing to
+  // tell of its way.
+  const std::size_t silent_from = aims_.size();
+  want_guides(true);
   const std::size_t first = guides_.size(), count = aims_.size();
   if (count == 0) return;
+  const std::size_t told = world_.space.portals.portals().empty() ? silent_from : count;
   guides_.resize(first + count);
   arrivals_.resize(first + count);
   kinds_.resize(first + count);
+  if (trails_.size() < guides_.size()) trails_.resize(guides_.size());
   const auto photons = std::span(guides_).subspan(first);
   source_.send(aims_, photons);
-  const auto arrivals = std::span(arrivals_).subspan(first);
-  if (trails_.size() < guides_.size()) trails_.resize(guides_.size());
-  advance_with_trails(world_.space, photons, arrivals, std::span(trails_).subspan(first, count));
-  for (std::size_t i = first; i < guides_.size(); ++i)
-    kinds_[i] = trails_[i].known() ? kind_of(arrivals_[i], trails_[i].portals()) : none;
-  tally.guides += count;
-}
-
-const PixelSpan& Lattice::pixel_in(int column, int row) {
-  PixelSpan& pixel = pixels_[levels_[0].index(column, row)];
-  if (pixel.angle >= 0.0) return pixel;
-  const int stride = levels_[0].stride;
-  const auto corner = [&](int k) -> const Photon& {
-    return guides_[node((column + k % 2) * stride, (row + k / 2) * stride)];
-  };
-  double angle = std::numeric_limits<double>::infinity(), aside = angle;
-  for (const auto& [a, b] : {std::pair{0, 1}, std::pair{0, 2}, std::pair{1, 3}, std::pair{2, 3}}) {
-    const Vec3d turned = corner(a).direction - corner(b).direction;
-    const Vec3d moved = corner(a).position - corner(b).position;
-    angle = std::min(angle, dot(turned, turned));
-    aside = std::min(aside, dot(moved, moved));
+  advance_with_trails(world_.space, photons, std::span(arrivals_).subspan(first),
+                      std::span(trails_).subspan(first, told));
+  for (std::size_t i = 0; i < count; ++i) {
+    const Trail& trail = trails_[first + i];
+    const bool known = i >= told || trail.known();
+    kinds_[first + i] =
+        known ? kind_of(arrivals_[first + i], i < told ? trail.portals() : 0) : none;
   }
-  return pixel = {std::sqrt(angle) / coarse_spacing, std::sqrt(aside) / coarse_spacing};
+  tally.guides += count;
 }
 
 /// Few are seen within a tile, and neighbours are often of one.
@@ -201,10 +197,25 @@ std::uint32_t Lattice::kind_of(const Arrival& arrival, std::uint64_t portals) {
   return static_cast<std::uint32_t>(i - 1);
 }
 
+const PixelSpan& Lattice::pixel_in(int column, int row) {
+  PixelSpan& pixel = pixels_.at(column, row);
+  if (pixel.angle >= 0.0) return pixel;
+  const auto corner = [&](int k) -> const Photon& {
+    return guides_[nodes_.at((column + k % 2) * coarse, (row + k / 2) * coarse)];
+  };
+  double angle = std::numeric_limits<double>::infinity(), aside = angle;
+  for (const auto& [a, b] : {std::pair{0, 1}, std::pair{0, 2}, std::pair{1, 3}, std::pair{2, 3}}) {
+    const Vec3d turned = corner(a).direction - corner(b).direction;
+    const Vec3d moved = corner(a).position - corner(b).position;
+    angle = std::min(angle, dot(turned, turned));
+    aside = std::min(aside, dot(moved, moved));
+  }
+  return pixel = {std::sqrt(angle) / coarse_spacing, std::sqrt(aside) / coarse_spacing};
+}
+
 void Lattice::decide(const Cell& cell) {
-  Level& level = levels_[cell.level];
   const auto corner = [&](int i, int j) {
-    return node((cell.column + i) * level.stride, (cell.row + j) * level.stride);
+    return nodes_.at((cell.column + i) * cell.stride, (cell.row + j) * cell.stride);
   };
   const std::uint32_t first = corner(0, 0);
   Kinds kinds;
@@ -218,14 +229,16 @@ void Lattice::decide(const Cell& cell) {
       agree = agree && kinds[j][i] == kinds_[first];
     }
   if (!agree) return look_aside(cell, kinds);
-  const int share = levels_[0].stride / level.stride;
-  const PixelSpan& pixel = pixel_in(cell.column / share, cell.row / share);
-  const bool finest = cell.level + 1 == levels_.size();
-  const double halved = finest ? 1.0 : by_halving;
+  const int share = coarse / cell.stride;
+  const double halved = cell.stride > 1 ? by_halving : 1.0;
   const double most =
       most_third_difference(world_.space) * (cell.aside.is_none() ? 1.0 : share_aside);
-  const double roughness =
-      smooth_.emplace_back(cell.aside).through(world_.space, guides, pixel, most, halved);
+  const double side = cell.stride * spacing;
+  Patch& patch =
+      patches_.emplace_back(Patch{Bicubic(cell.aside), place_of(cell.column * cell.stride),
+                                  place_of(cell.row * cell.stride), side});
+  const double roughness = patch.found.through(
+      world_.space, guides, pixel_in(cell.column / share, cell.row / share), most, halved);
   const auto clear = [&] {
     return guard_.clear(
         {&trails_[first], &trails_[corner(1, 0)], &trails_[corner(0, 1)], &trails_[corner(1, 1)]},
@@ -233,19 +246,21 @@ void Lattice::decide(const Cell& cell) {
   };
   const bool usable = roughness <= halved && (cell.clear || clear());
   if (usable && roughness <= 1.0) {
-    level.smooth[level.index(cell.column, cell.row)] =
-        static_cast<std::uint32_t>(smooth_.size() - 1);
+    for (int j = 0; j < cell.stride; ++j)
+      for (int i = 0; i < cell.stride; ++i)
+        cells_.at(cell.column * cell.stride + i, cell.row * cell.stride + j) =
+            static_cast<std::uint32_t>(patches_.size() - 1);
     return;
   }
-  smooth_.pop_back();
-  if (usable || cell.level == 0) halve(cell, usable);
+  patches_.pop_back();
+  if (usable || cell.stride == coarse) halve(cell, usable);
 }
 
 /// Beside an edge of what is seen, sixteen may agree that lie further from it. The largest cells
 /// are better halved, and of the smallest are too many.
 void Lattice::look_aside(const Cell& cell, const Kinds& kinds) {
-  if (cell.level == 0) return halve(cell, false);
-  if (cell.level + 1 == levels_.size() || !cell.aside.is_none() || kinds[1][1] == none) return;
+  if (cell.stride == coarse) return halve(cell, false);
+  if (cell.stride == 1 || !cell.aside.is_none() || kinds[1][1] == none) return;
   constexpr NodeStep steps[] = {{-1, 0},  {1, 0},  {0, -1}, {0, 1},
                                 {-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
   for (const NodeStep& step : steps) {
@@ -254,68 +269,36 @@ void Lattice::look_aside(const Cell& cell, const Kinds& kinds) {
       for (int i = std::max(0, step.right); i < std::min(4, 4 + step.right); ++i)
         all = all && kinds[j][i] == kinds[1][1];
     if (!all) continue;
-    next_.push_back({cell.level, cell.column, cell.row, cell.clear, step});
+    next_.push_back({cell.stride, cell.column, cell.row, cell.clear, step});
     return;
   }
 }
 
 void Lattice::halve(const Cell& cell, bool clear) {
-  const std::size_t half = cell.level + 1;
   for (int j = 2 * cell.row; j < 2 * cell.row + 2; ++j)
     for (int i = 2 * cell.column; i < 2 * cell.column + 2; ++i)
-      if (holds_samples(levels_[half], i, j)) next_.push_back({half, i, j, clear});
+      if (const Cell half{cell.stride / 2, i, j, clear}; holds_samples(half)) next_.push_back(half);
 }
 
-bool Lattice::holds_samples(const Level& level, int column, int row) const {
-  const double side = level.stride * spacing, left = place_of(column * level.stride),
-               top = place_of(row * level.stride);
-  // One sample alone lies in the centre of its pixel.
-  const double first = is_central() ? 0.5 : 0.0;
-  return left + side > tile_.x0 + first && left < tile_.x1 && top + side > tile_.y0 + first &&
-         top < tile_.y1;
+std::uint32_t Lattice::guide_at(const FilmPlace& place) const {
+  const Spot spot = spot_in(1, place);
+  return spot.u == 0.0 && spot.v == 0.0 ? nodes_.at(spot.column, spot.row) : none;
 }
 
-void Lattice::settle_from(int row, Tally& tally) {
-  const Level& coarse = levels_[0];
-  const int end =
-      std::min(coarse.first_row + coarse.rows, row + std::max(1, cells_at_once / coarse.columns));
-  undecided_.clear();
-  for (int j = row; j < end; ++j)
-    for (int i = coarse.first_column; i < coarse.first_column + coarse.columns; ++i)
-      if (holds_samples(coarse, i, j)) undecided_.push_back({0, i, j});
-  while (!undecided_.empty()) {
-    send_guides(tally);
-    next_.clear();
-    for (const Cell& cell : undecided_) decide(cell);
-    std::swap(undecided_, next_);
-  }
-  settled_ = end;
-}
-
-std::uint32_t Lattice::guide_at(const FilmPlace& place) {
-  const Spot spot = spot_in(levels_.back(), place);
-  return spot.u == 0.0 && spot.v == 0.0 ? node(spot.column, spot.row) : none;
-}
-
-Lattice::Patch Lattice::patch_at(const FilmPlace& place) const {
-  for (const Level& level : levels_) {
-    const Spot spot = spot_in(level, place);
-    const std::uint32_t smooth = level.smooth[level.index(spot.column, spot.row)];
-    const double side = level.stride * spacing;
-    if (smooth != none)
-      return {smooth, first_node + spot.column * side, first_node + spot.row * side, side};
-  }
-  return {none, 0.0, 0.0, 0.0};
+const Lattice::Patch* Lattice::patch_at(const FilmPlace& place) const {
+  const Spot spot = spot_in(1, place);
+  const std::uint32_t patch = cells_.at(spot.column, spot.row);
+  return patch == none ? nullptr : &patches_[patch];
 }
 
 void Lattice::advance(std::span<const FilmPlace> places, std::span<Arrival> arrivals,
                       Tally& tally) {
   left_.clear();
   for (std::size_t i = 0; i < places.size();) {
-    if (spot_in(levels_[0], places[i]).row >= settled_)
+    if (spot_in(coarse, places[i]).row >= settled_)
       settle_from(std::max(settled_, cell_before(static_cast<int>(places[i].y))), tally);
-    const Patch patch = patch_at(places[i]);
-    if (patch.smooth == none) {
+    const Patch* patch = patch_at(places[i]);
+    if (!patch) {
       if (const std::uint32_t guide = guide_at(places[i]); guide != none)
         arrivals[i] = arrivals_[guide];
       else if (is_central())
@@ -326,12 +309,12 @@ void Lattice::advance(std::span<const FilmPlace> places, std::span<Arrival> arri
       continue;
     }
     // Samples come along rows of pixels: with one in each, a cell's row is worked out once.
-    const double y = places[i].y, end = patch.left + patch.side, share = 1.0 / patch.side;
-    const Bicubic::Row row(smooth_[patch.smooth], (y - patch.top) * share);
+    const double y = places[i].y, end = patch->left + patch->side, share = 1.0 / patch->side;
+    const Bicubic::Row row(patch->found, (y - patch->top) * share);
     const std::size_t first = i;
-    for (; i < places.size() && places[i].y == y && places[i].x >= patch.left && places[i].x < end;
+    for (; i < places.size() && places[i].y == y && places[i].x >= patch->left && places[i].x < end;
          ++i)
-      row.tell((places[i].x - patch.left) * share, arrivals[i]);
+      row.tell((places[i].x - patch->left) * share, arrivals[i]);
     tally.interpolated += i - first;
   }
   send_left(places, arrivals);
@@ -352,19 +335,19 @@ const Arrival& Lattice::own_arrival(const FilmPlace& place, std::size_t at_once)
   return found_[taken_++];
 }
 
-/// @post the first is `from` @pre which is one of them, and most > 0
+/// Those from one place on, as far as it is decided.
+/// @pre the first needs a photon of its own, and most > 0
 void Lattice::find_own(const FilmPlace& from, std::size_t most) {
-  for (FilmPlace at = from; at.y < tile_.y1 && own_places_.size() < most;
-       ++at.y, at.x = tile_.x0 + 0.5) {
-    if (spot_in(levels_[0], at).row >= settled_) return;
-    while (at.x < tile_.x1 && own_places_.size() < most) {
-      const Patch patch = patch_at(at);
-      if (patch.smooth == none) {
-        if (guide_at(at) == none) own_places_.push_back(at);
-        ++at.x;
-      } else {
-        at.x = patch.left + patch.side;
+  for (FilmPlace at = from; at.y < tile_.y1; ++at.y, at.x = tile_.x0 + 0.5) {
+    if (spot_in(coarse, at).row >= settled_) return;
+    while (at.x < tile_.x1) {
+      if (const Patch* patch = patch_at(at)) {
+        at.x = patch->left + patch->side;
+        continue;
       }
+      if (guide_at(at) == none) own_places_.push_back(at);
+      if (own_places_.size() == most) return;
+      ++at.x;
     }
   }
 }

@@ -14,6 +14,7 @@
 #include "render/bicubic.h"
 #include "render/camera_photon.h"
 #include "render/film.h"
+#include "render/grid.h"
 #include "render/tally.h"
 #include "world/world.h"
 
@@ -40,25 +41,17 @@ class Lattice {
  private:
   static constexpr std::uint32_t none = 0xffffffff;
 
-  /// Cells of one size, counted from the first node's.
-  struct Level {
-    int stride;  ///< nodes from corner to corner
-    int first_column = 0, first_row = 0, columns = 0, rows = 0;
-    std::vector<std::uint32_t> smooth{};  ///< the polynomial of each cell, or `none`
-
-    /// So many cells, none of them smooth.
-    void clear(int first_column, int first_row, int columns, int rows);
-    [[nodiscard]] std::size_t index(int column, int row) const {
-      return static_cast<std::size_t>(row - first_row) * static_cast<std::size_t>(columns) +
-             static_cast<std::size_t>(column - first_column);
-    }
-  };
   /// A cell, and where those lie that it is interpolated from.
   struct Cell {
-    std::size_t level;
+    int stride;  ///< nodes from corner to corner
     int column, row;
     bool clear = false;  ///< nothing lies in it but what its guides met
     NodeStep aside{};    ///< from the nodes about it to the inner four of the sixteen
+  };
+  /// A cell that is interpolated.
+  struct Patch {
+    Bicubic found;
+    double left, top, side;  ///< on the film
   };
   /// What photons met that can be told by each other: the same kind.
   struct Kind {
@@ -71,48 +64,27 @@ class Lattice {
   };
   /// At four by four nodes.
   using Kinds = std::array<std::array<std::uint32_t, 4>, 4>;
-  /// A place among the cells of a level.
-  struct Spot {
-    int column, row;
-    double u, v;  ///< shares of the cell, from its upper left corner
-  };
-  /// Where a polynomial tells what there is: a cell.
-  struct Patch {
-    std::uint32_t smooth;
-    double left, top, side;  ///< on the film
-  };
 
-  /// Which guides are at the nodes of a rectangle.
-  struct Nodes {
-    int first_column = 0, first_row = 0, columns = 0, rows = 0;
-    std::vector<std::uint32_t> guides{};  ///< `none` where nobody has asked for one
-
-    void clear(int first_column, int first_row, int columns, int rows);
-    [[nodiscard]] std::uint32_t& at(int column, int row) {
-      return guides[static_cast<std::size_t>(row - first_row) * static_cast<std::size_t>(columns) +
-                    static_cast<std::size_t>(column - first_column)];
-    }
-  };
-  [[nodiscard]] std::uint32_t& node(int column, int row) { return nodes_.at(column, row); }
-  void keep_guides(Nodes& before);
-  [[nodiscard]] static Spot spot_in(const Level& level, const FilmPlace& place);
+  void keep_guides();
   /// Whether a pixel has but one sample, in its centre.
   [[nodiscard]] bool is_central() const { return world_.sampling.samples == 1; }
-  /// Whether samples of the tile may lie in that cell.
-  [[nodiscard]] bool holds_samples(const Level& level, int column, int row) const;
+  [[nodiscard]] bool holds_samples(const Cell& cell) const;
   void settle_from(int row, Tally& tally);
-  void want_guide(int column, int row);
+  void want_guides(bool finest);
   void send_guides(Tally& tally);
+  /// @param portals  that its photon entered, as a trail tells them
+  [[nodiscard]] std::uint32_t kind_of(const Arrival& arrival, std::uint64_t portals);
   void decide(const Cell& cell);
   void look_aside(const Cell& cell, const Kinds& kinds);
   void halve(const Cell& cell, bool clear);
-  /// @param portals  that its photon entered, as a trail tells them
-  [[nodiscard]] std::uint32_t kind_of(const Arrival& arrival, std::uint64_t portals);
+  void tell_by(const Cell& cell, const Bicubic& found);
   /// Along the edge of a coarse cell where it is least.
   [[nodiscard]] const PixelSpan& pixel_in(int column, int row);
+
   /// The guide that went through that very place, if there was one.
-  [[nodiscard]] std::uint32_t guide_at(const FilmPlace& place);
-  [[nodiscard]] Patch patch_at(const FilmPlace& place) const;
+  [[nodiscard]] std::uint32_t guide_at(const FilmPlace& place) const;
+  /// Null where there is none.
+  [[nodiscard]] const Patch* patch_at(const FilmPlace& place) const;
   /// What the photon of that sample finds on a way of its own. @pre is_central()
   /// @param at_once  so many photons may be sent, for later samples too
   [[nodiscard]] const Arrival& own_arrival(const FilmPlace& place, std::size_t at_once);
@@ -124,21 +96,22 @@ class Lattice {
   const BeamGuard& guard_;
   PhotonSource source_;
   Window tile_;
-  std::array<Level, 3> levels_{Level{4}, Level{2}, Level{1}};
-  std::vector<PixelSpan> pixels_;  ///< of the coarse cells; less than 0 until they are asked for
-  int settled_ = 0;                ///< the coarse row down to which cells are decided
-  Nodes nodes_, nodes_before_;
+  int settled_ = 0;                           ///< the coarse row down to which is decided
+  Grid<std::uint32_t> nodes_, nodes_before_;  ///< the guides at them, here and a tile before
+  Grid<PixelSpan> pixels_;                    ///< in coarse cells; below 0 until asked for
+  Grid<std::uint32_t> cells_;                 ///< the patches that the smallest cells lie in
+  std::vector<Patch> patches_;
+  std::vector<Cell> undecided_, next_;
+
+  std::vector<FilmPlace> aims_;  ///< where guides go through that have not been sent yet
   std::vector<Photon> guides_;
-  std::vector<FilmPlace> aims_;       ///< where photons go through that have not been sent yet
   std::vector<Arrival> arrivals_;     ///< of the guides
   std::vector<Trail> trails_;         ///< of the guides, and room for more
   std::vector<std::uint32_t> kinds_;  ///< of the guides; `none` if nobody else can tell it
   std::vector<Kind> known_kinds_;
-  std::vector<std::uint32_t> kept_;  ///< guides of the tile before, and where they are now
-  std::vector<Bicubic> smooth_;
-  std::vector<Cell> undecided_;
-  std::vector<Cell> next_;             ///< undecided when those are decided
-  std::vector<std::uint32_t> left_;    ///< samples whose photons go their own way
+  std::vector<std::uint32_t> kept_;  ///< guides of the tile before: where they are now
+
+  std::vector<std::uint32_t> left_;    ///< samples of a call whose photons go their own way
   std::vector<FilmPlace> own_places_;  ///< of samples whose photons have gone their own way,
   std::vector<Photon> own_;            ///< these photons,
   std::vector<Arrival> found_;         ///< what they found,
