@@ -259,12 +259,11 @@ void Lattice::decide(const Cell& cell) {
 /// Beside an edge of what is seen, sixteen may agree that lie further from it. The largest cells
 /// are better halved, and of the smallest are too many.
 void Lattice::look_aside(const Cell& cell, const Kinds& kinds) {
-  if (cell.stride == coarse) return halve(cell, false);
-  if (cell.stride == 1 || !cell.aside.is_none() || kinds[1][1] == none) return;
+  if (cell.stride == 1) return;
   constexpr NodeStep steps[] = {{-1, 0},  {1, 0},  {0, -1}, {0, 1},
                                 {-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
   for (const NodeStep& step : steps) {
-    bool all = true;
+    bool all = cell.aside.is_none() && kinds[1][1] != none;
     for (int j = std::max(0, step.down); j < std::min(4, 4 + step.down); ++j)
       for (int i = std::max(0, step.right); i < std::min(4, 4 + step.right); ++i)
         all = all && kinds[j][i] == kinds[1][1];
@@ -272,6 +271,7 @@ void Lattice::look_aside(const Cell& cell, const Kinds& kinds) {
     next_.push_back({cell.stride, cell.column, cell.row, cell.clear, step});
     return;
   }
+  if (cell.stride == coarse) halve(cell, false);
 }
 
 void Lattice::halve(const Cell& cell, bool clear) {
