@@ -31,8 +31,6 @@ constexpr double share_aside = 0.5;
 constexpr double by_halving = 20.0;
 /// Coarse cells that are decided together, about: their guides fill the lanes.
 constexpr int cells_at_once = 96;
-/// Kinds that guides of a tile are compared with before all is forgotten.
-constexpr std::size_t most_kinds = 256;
 /// Nodes for which there is room from the beginning.
 constexpr std::size_t most_room = 2048;
 
@@ -69,13 +67,13 @@ void Lattice::lay_over(const Window& tile) {
   pixels_.lay(column, row, columns, rows, {-1.0, -1.0});
   cells_.lay(coarse * column, coarse * row, coarse * columns, coarse * rows, none);
   // The coarse cells and two more about them hold all nodes that are ever asked for.
-  std::swap(nodes_, nodes_before_);
   nodes_.lay(coarse * (column - 2), coarse * (row - 2), coarse * (columns + 4) + 1,
              coarse * (rows + 4) + 1, none);
-  keep_guides();
+  guides_.clear();
+  arrivals_.clear();
+  kinds_.clear();
+  known_kinds_.clear();
   patches_.clear();
-  own_places_.clear();
-  taken_ = 0;
   // So that nothing moves while it grows; what is not used costs nothing.
   const std::size_t room = std::min(nodes_.size(), most_room);
   guides_.reserve(room);
@@ -85,43 +83,11 @@ void Lattice::lay_over(const Window& tile) {
   patches_.reserve(room);
 }
 
-/// Neighbouring tiles are often taken one after the other, and share a fifth of their guides.
-void Lattice::keep_guides() {
-  kept_.assign(guides_.size(), none);
-  const auto for_shared_nodes = [&](const auto& action) {
-    for (int row = std::max(nodes_.top(), nodes_before_.top());
-         row < std::min(nodes_.bottom(), nodes_before_.bottom()); ++row)
-      for (int column = std::max(nodes_.left(), nodes_before_.left());
-           column < std::min(nodes_.right(), nodes_before_.right()); ++column)
-        if (const std::uint32_t guide = nodes_before_.at(column, row); guide != none)
-          action(column, row, guide);
-  };
-  // Kinds are searched one by one: when there are too many, all is forgotten.
-  if (known_kinds_.size() <= most_kinds)
-    for_shared_nodes([&](int, int, std::uint32_t guide) { kept_[guide] = guide; });
-  else
-    known_kinds_.clear();
-  std::uint32_t count = 0;
-  for (std::size_t guide = 0; guide < kept_.size(); ++guide) {
-    if (kept_[guide] == none) continue;
-    kept_[guide] = count;
-    guides_[count] = guides_[guide];
-    arrivals_[count] = arrivals_[guide];
-    kinds_[count] = kinds_[guide];
-    std::swap(trails_[count], trails_[guide]);
-    ++count;
-  }
-  for_shared_nodes(
-      [&](int column, int row, std::uint32_t guide) { nodes_.at(column, row) = kept_[guide]; });
-  guides_.resize(count);
-  arrivals_.resize(count);
-  kinds_.resize(count);
-}
-
 bool Lattice::holds_samples(const Cell& cell) const {
   const double side = cell.stride * spacing, left = place_of(cell.column * cell.stride),
                top = place_of(cell.row * cell.stride);
-  const double first = is_central() ? 0.5 : 0.0;
+  // One sample alone lies in the centre of its pixel.
+  const double first = world_.sampling.samples == 1 ? 0.5 : 0.0;
   return left + side > tile_.x0 + first && left < tile_.x1 && top + side > tile_.y0 + first &&
          top < tile_.y1;
 }
@@ -301,8 +267,6 @@ void Lattice::advance(std::span<const FilmPlace> places, std::span<Arrival> arri
     if (!patch) {
       if (const std::uint32_t guide = guide_at(places[i]); guide != none)
         arrivals[i] = arrivals_[guide];
-      else if (is_central())
-        arrivals[i] = own_arrival(places[i], places.size());
       else
         left_.push_back(static_cast<std::uint32_t>(i));
       ++i;
@@ -320,50 +284,13 @@ void Lattice::advance(std::span<const FilmPlace> places, std::span<Arrival> arri
   send_left(places, arrivals);
 }
 
-/// Ways of their own are gone many at a time, also those of samples that will be asked for later.
-const Arrival& Lattice::own_arrival(const FilmPlace& place, std::size_t at_once) {
-  const auto is_before = [](const FilmPlace& a, const FilmPlace& b) {
-    return a.y < b.y || (a.y == b.y && a.x < b.x);
-  };
-  while (taken_ < own_places_.size() && is_before(own_places_[taken_], place)) ++taken_;
-  if (taken_ == own_places_.size() || is_before(place, own_places_[taken_])) {
-    own_places_.clear();
-    taken_ = 0;
-    find_own(place, at_once);
-    send_own();
-  }
-  return found_[taken_++];
-}
-
-/// Those from one place on, as far as it is decided.
-/// @pre the first needs a photon of its own, and most > 0
-void Lattice::find_own(const FilmPlace& from, std::size_t most) {
-  for (FilmPlace at = from; at.y < tile_.y1; ++at.y, at.x = tile_.x0 + 0.5) {
-    if (spot_in(coarse, at).row >= settled_) return;
-    while (at.x < tile_.x1) {
-      if (const Patch* patch = patch_at(at)) {
-        at.x = patch->left + patch->side;
-        continue;
-      }
-      if (guide_at(at) == none) own_places_.push_back(at);
-      if (own_places_.size() == most) return;
-      ++at.x;
-    }
-  }
-}
-
-void Lattice::send_own() {
-  own_.resize(own_places_.size());
-  found_.resize(own_places_.size());
-  source_.send(own_places_, own_);
-  portalens::advance(world_.space, own_, found_);
-}
-
 void Lattice::send_left(std::span<const FilmPlace> places, std::span<Arrival> arrivals) {
-  if (left_.empty()) return;
-  own_places_.clear();
-  for (const std::uint32_t i : left_) own_places_.push_back(places[i]);
-  send_own();
+  own_.resize(left_.size());
+  found_.resize(left_.size());
+  aims_.clear();
+  for (const std::uint32_t i : left_) aims_.push_back(places[i]);
+  source_.send(aims_, own_);
+  portalens::advance(world_.space, own_, found_);
   for (std::size_t i = 0; i < left_.size(); ++i) arrivals[left_[i]] = found_[i];
 }
 

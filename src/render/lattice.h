@@ -29,8 +29,7 @@ class Lattice {
   /// Borrows both.
   Lattice(const World& world, const BeamGuard& guard, const Window& tile);
 
-  /// Forgets everything, for another tile, but guides that both may ask for. Fresh memory costs
-  /// more than what is done in it.
+  /// Forgets everything, for another tile. Fresh memory costs more than what is done in it.
   void lay_over(const Window& tile);
 
   /// Where the photons of camera samples arrive.
@@ -65,9 +64,7 @@ class Lattice {
   /// At four by four nodes.
   using Kinds = std::array<std::array<std::uint32_t, 4>, 4>;
 
-  void keep_guides();
-  /// Whether a pixel has but one sample, in its centre.
-  [[nodiscard]] bool is_central() const { return world_.sampling.samples == 1; }
+  /// Whether samples of the tile may lie in it.
   [[nodiscard]] bool holds_samples(const Cell& cell) const;
   void settle_from(int row, Tally& tally);
   void want_guides(bool finest);
@@ -77,7 +74,6 @@ class Lattice {
   void decide(const Cell& cell);
   void look_aside(const Cell& cell, const Kinds& kinds);
   void halve(const Cell& cell, bool clear);
-  void tell_by(const Cell& cell, const Bicubic& found);
   /// Along the edge of a coarse cell where it is least.
   [[nodiscard]] const PixelSpan& pixel_in(int column, int row);
 
@@ -85,37 +81,29 @@ class Lattice {
   [[nodiscard]] std::uint32_t guide_at(const FilmPlace& place) const;
   /// Null where there is none.
   [[nodiscard]] const Patch* patch_at(const FilmPlace& place) const;
-  /// What the photon of that sample finds on a way of its own. @pre is_central()
-  /// @param at_once  so many photons may be sent, for later samples too
-  [[nodiscard]] const Arrival& own_arrival(const FilmPlace& place, std::size_t at_once);
-  void find_own(const FilmPlace& from, std::size_t most);
-  void send_own();
   void send_left(std::span<const FilmPlace> places, std::span<Arrival> arrivals);
 
   const World& world_;
   const BeamGuard& guard_;
   PhotonSource source_;
   Window tile_;
-  int settled_ = 0;                           ///< the coarse row down to which is decided
-  Grid<std::uint32_t> nodes_, nodes_before_;  ///< the guides at them, here and a tile before
-  Grid<PixelSpan> pixels_;                    ///< in coarse cells; below 0 until asked for
-  Grid<std::uint32_t> cells_;                 ///< the patches that the smallest cells lie in
+  int settled_ = 0;            ///< the coarse row down to which is decided
+  Grid<std::uint32_t> nodes_;  ///< the guides at them
+  Grid<PixelSpan> pixels_;     ///< in coarse cells; below 0 until asked for
+  Grid<std::uint32_t> cells_;  ///< the patches that the smallest cells lie in
   std::vector<Patch> patches_;
   std::vector<Cell> undecided_, next_;
 
-  std::vector<FilmPlace> aims_;  ///< where guides go through that have not been sent yet
+  std::vector<FilmPlace> aims_;  ///< where photons go through that have not been sent yet
   std::vector<Photon> guides_;
   std::vector<Arrival> arrivals_;     ///< of the guides
   std::vector<Trail> trails_;         ///< of the guides, and room for more
   std::vector<std::uint32_t> kinds_;  ///< of the guides; `none` if nobody else can tell it
   std::vector<Kind> known_kinds_;
-  std::vector<std::uint32_t> kept_;  ///< guides of the tile before: where they are now
 
-  std::vector<std::uint32_t> left_;    ///< samples of a call whose photons go their own way
-  std::vector<FilmPlace> own_places_;  ///< of samples whose photons have gone their own way,
-  std::vector<Photon> own_;            ///< these photons,
-  std::vector<Arrival> found_;         ///< what they found,
-  std::size_t taken_ = 0;              ///< and how many of them have been asked for
+  std::vector<std::uint32_t> left_;  ///< samples of a call whose photons go their own way
+  std::vector<Photon> own_;          ///< these
+  std::vector<Arrival> found_;       ///< and what they found
 };
 
 }  // namespace portalens
