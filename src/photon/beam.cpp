@@ -69,6 +69,7 @@ class BeamGuard::Follower {
     }
     return a;
   }
+  [[nodiscard]] Reached here() const { return reached(points_[at_]); }
   [[nodiscard]] Reached last() {
     while (more()) ++at_;
     return reached(points_[at_]);
@@ -130,10 +131,13 @@ std::vector<BeamGuard::Piece> BeamGuard::beam_of(const std::array<const Trail*, 
     const bool first = i == 0 || points[i - 1].stretch != point.stretch;
     const bool last = i + 1 == points.size() || points[i + 1].stretch != point.stretch;
     const Reached here = reached(point);
-    std::array<Reached, 3> places;
+    std::array<Reached, 3> places, begun{};
     Reached sum = here;
     for (std::size_t k = 0; k < 3; ++k) {
-      if (first) others[k].enter(point.stretch);
+      if (first) {
+        others[k].enter(point.stretch);
+        begun[k] = others[k].here();
+      }
       places[k] = others[k].place(point.length);
       sum += places[k];
     }
@@ -141,6 +145,7 @@ std::vector<BeamGuard::Piece> BeamGuard::beam_of(const std::array<const Trail*, 
     float square = square_between(here, to);
     for (std::size_t k = 0; k < 3; ++k) {
       square = std::max(square, square_between(places[k], to));
+      if (first) square = std::max(square, square_between(begun[k], to));
       if (last) square = std::max(square, square_between(others[k].last(), to));
     }
     const double apart = widening * double{std::sqrt(square)};

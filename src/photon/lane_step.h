@@ -246,13 +246,12 @@ class LaneStepper {
       // Both ends on one side, first towards the plane, then away: it may dip through between.
       const R s0 = dot(path.place.c1, normal), s1 = dot(end.direction, normal);
       const Mask dips = near & !crosses & (z0 * s0 < R(0)) & (z1 * s1 > R(0));
-      if (!any((crosses | dips) &
-               path.may_touch(path.place.c0 - spread<R>(polygon.middle), R(polygon.radius))))
-        continue;
+      Mask within = (crosses | dips) &
+                    path.may_touch(path.place.c0 - spread<R>(polygon.middle), R(polygon.radius));
+      if (!any(within)) continue;
       const R u = crossing(crosses, path.height(z0, normal), z0 / select(crosses, z0 - z1, R(1)),
                            z0, R(0), R(1));
       const V at = path.place.at(select(crosses, u, R(0.5)));
-      Mask within = crosses | dips;
       const R slack = select(dips, path.h, R(0));
       for (int k = 0; k < 4; ++k)
         within =
@@ -268,16 +267,18 @@ class LaneStepper {
     for (int i = 0; i < scene_.sphere_count; ++i) {
       const LaneSphere& sphere = scene_.spheres[i];
       const V center = spread<R>(sphere.center);
-      if (!any(path.may_touch(path.place.c0 - center, R(sphere.radius)))) continue;
+      // In the lanes that may: what is found must not depend on who travels beside.
+      const Mask touches = path.may_touch(path.place.c0 - center, R(sphere.radius));
+      if (!any(touches)) continue;
       const LaneDistance<R> outside{path, center, R(sphere.radius * sphere.radius)};
       const Mask leaving = departed == R(sphere.shape);
       const R f0 = select(leaving, side * R(1e-20), outside.at(R(0)));
       const R f1 = outside.at(R(1));
       // From outside the nearest point of the step decides.
       const R nearest = outside.nearest();
-      const Mask enters = (f0 > R(0)) & ((f1 <= R(0)) | (outside.at(nearest) <= R(0))) &
+      const Mask enters = touches & (f0 > R(0)) & ((f1 <= R(0)) | (outside.at(nearest) <= R(0))) &
                           !(leaving & (nearest <= R(0)));
-      const Mask exits = (f0 <= R(0)) & (f1 > R(0));
+      const Mask exits = touches & (f0 <= R(0)) & (f1 > R(0));
       if (!any(enters | exits)) continue;
       const R before = select(enters, R(1), R(-1));
       const R inside = select(exits, R(0), select(f1 <= R(0), R(1), nearest));

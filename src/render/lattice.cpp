@@ -261,7 +261,7 @@ void Lattice::advance(std::span<const FilmPlace> places, std::span<Arrival> arri
                       Tally& tally) {
   left_.clear();
   for (std::size_t i = 0; i < places.size();) {
-    if (spot_in(coarse, places[i]).row >= settled_)
+    while (spot_in(coarse, places[i]).row >= settled_)
       settle_from(std::max(settled_, cell_before(static_cast<int>(places[i].y))), tally);
     const Patch* patch = patch_at(places[i]);
     if (!patch) {
