@@ -24,6 +24,9 @@ Vec3d unit(Vec3d a) {
 /// moves no light.
 constexpr float turning_counts = 1.0f / 4.0f;
 
+/// How much rougher what is absorbed may be.
+constexpr double absorbed_may_differ = 8.0;
+
 float in_float(double x) { return static_cast<float>(x); }
 
 template <class Four>
@@ -59,7 +62,6 @@ double Bicubic::through(const Space& space, const Guides& guides, const PixelSpa
   const Arrival& model = *guides[1][1];
   model_ = model;
   model_.steps = 0;
-  if (model.fate == Fate::absorbed) return 0.0;
   const bool flat = model.fate == Fate::hit;
   sphere_ = flat ? std::get_if<Sphere>(&space.surfaces.shapes()[model.object]) : nullptr;
   std::array<Values, 16> values;
@@ -72,6 +74,8 @@ double Bicubic::through(const Space& space, const Guides& guides, const PixelSpa
       [&](std::size_t n) { return values[n].turn; },
       [&](Four third) { return square(third) + turning_counts * third[3] * third[3]; }));
   double roughness = turned / (most * (pixel.angle + pixel.aside / space.extent));
+  // Nothing is told of those but that they are absorbed; light may pass where they differ much.
+  if (model.fate == Fate::absorbed) return roughness / absorbed_may_differ;
   if (!(roughness <= given_up)) return roughness;
   float reach = 0.0f;
   for (std::size_t n = 0; n < 16; ++n) {
