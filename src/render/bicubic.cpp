@@ -31,7 +31,9 @@ float in_float(double x) { return static_cast<float>(x); }
 
 template <class Four>
 Four four(Vec3d v, double last) {
-  return Four{in_float(v.x), in_float(v.y), in_float(v.z), in_float(last)};
+  using Doubles = double __attribute__((vector_size(32)));
+  const Doubles wide{v.x, v.y, v.z, last};
+  return __builtin_convertvector(wide, Four);
 }
 
 /// What `size` says of the largest of the third differences along the rows and columns of sixteen.
