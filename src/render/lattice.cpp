@@ -111,14 +111,16 @@ void Lattice::settle_from(int row, Tally& tally) {
 void Lattice::want_guides(bool finest) {
   for (const Cell& cell : undecided_) {
     if ((cell.stride == 1) != finest) continue;
-    for (int j = cell.aside.down - 1; j < cell.aside.down + 3; ++j)
-      for (int i = cell.aside.right - 1; i < cell.aside.right + 3; ++i) {
-        const int column = (cell.column + i) * cell.stride, row = (cell.row + j) * cell.stride;
-        std::uint32_t& guide = nodes_.at(column, row);
-        if (guide != none) continue;
-        guide = static_cast<std::uint32_t>(guides_.size() + aims_.size());
-        aims_.push_back({place_of(column), place_of(row)});
+    const int left = (cell.column + cell.aside.right - 1) * cell.stride;
+    const int top = (cell.row + cell.aside.down - 1) * cell.stride;
+    for (int row = top; row < top + 4 * cell.stride; row += cell.stride) {
+      std::uint32_t* const guides = &nodes_.at(left, row);
+      for (int i = 0; i < 4 * cell.stride; i += cell.stride) {
+        if (guides[i] != none) continue;
+        guides[i] = static_cast<std::uint32_t>(guides_.size() + aims_.size());
+        aims_.push_back({place_of(left + i), place_of(row)});
       }
+    }
   }
 }
 
@@ -187,13 +189,16 @@ void Lattice::decide(const Cell& cell) {
   Kinds kinds;
   Bicubic::Guides guides;
   bool agree = kinds_[first] != none;
-  for (int j = 0; j < 4; ++j)
+  for (int j = 0; j < 4; ++j) {
+    const std::uint32_t* const row = &nodes_.at((cell.column + cell.aside.right - 1) * cell.stride,
+                                                (cell.row + cell.aside.down + j - 1) * cell.stride);
     for (int i = 0; i < 4; ++i) {
-      const std::uint32_t guide = corner(cell.aside.right + i - 1, cell.aside.down + j - 1);
+      const std::uint32_t guide = row[i * cell.stride];
       guides[j][i] = &arrivals_[guide];
       kinds[j][i] = kinds_[guide];
       agree = agree && kinds[j][i] == kinds_[first];
     }
+  }
   if (!agree) return look_aside(cell, kinds);
   const int share = coarse / cell.stride;
   const double halved = cell.stride > 1 ? by_halving : 1.0;
