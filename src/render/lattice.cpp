@@ -22,11 +22,11 @@ constexpr double first_node = 0.5 - coarse_spacing;
 /// third degree but for hundredths of a pixel. What masses do by themselves is smooth between the
 /// borders that the guard looks for; gravity through portals bends sharply at more than those.
 double most_third_difference(const Space& space) {
-  return std::holds_alternative<NoCoupling>(space.coupling) ? 4.0 : 0.5;
+  return std::holds_alternative<NoCoupling>(space.coupling) ? 5.0 : 0.5;
 }
 
 /// As much of that where the guides lie aside: beyond the inner four a polynomial is worth less.
-constexpr double share_aside = 0.5;
+constexpr double share_aside = 0.4;
 /// Of a third difference to that of guides half as far apart: about 8, and more where it changes.
 constexpr double by_halving = 20.0;
 /// Coarse cells that are decided together, about: their guides fill the lanes.
