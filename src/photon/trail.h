@@ -2,6 +2,7 @@
 /// The way that a photon took, in few words: places on it, in order.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -25,6 +26,21 @@ struct Waypoint {
 /// that could be met.
 class Trail {
  public:
+  Trail() = default;
+  Trail(const Trail& other) { *this = other; }
+  /// Copies no more than there is: most trails are short.
+  Trail& operator=(const Trail& other) {
+    portals_ = other.portals_;
+    count_ = other.count_;
+    crossings_ = other.crossings_;
+    known_ = other.known_;
+    if (count_ <= few_points)
+      std::copy_n(other.few_.begin(), count_, few_.begin());
+    else
+      many_ = other.many_;
+    return *this;
+  }
+
   /// Forgets everything, for another way.
   void restart() {
     count_ = 0;

@@ -31,6 +31,8 @@ constexpr double share_aside = 0.4;
 constexpr double by_halving = 20.0;
 /// Coarse cells that are decided together, about: their guides fill the lanes.
 constexpr int cells_at_once = 96;
+/// Kinds that guides are compared with before all is forgotten.
+constexpr std::size_t most_kinds = 256;
 /// Nodes for which there is room from the beginning.
 constexpr std::size_t most_room = 2048;
 
@@ -67,12 +69,10 @@ void Lattice::lay_over(const Window& tile) {
   pixels_.lay(column, row, columns, rows, {-1.0, -1.0});
   cells_.lay(coarse * column, coarse * row, coarse * columns, coarse * rows, none);
   // The coarse cells and two more about them hold all nodes that are ever asked for.
+  std::swap(nodes_, nodes_before_);
   nodes_.lay(coarse * (column - 2), coarse * (row - 2), coarse * (columns + 4) + 1,
              coarse * (rows + 4) + 1, none);
-  guides_.clear();
-  arrivals_.clear();
-  kinds_.clear();
-  known_kinds_.clear();
+  keep_guides();
   patches_.clear();
   // So that nothing moves while it grows; what is not used costs nothing.
   const std::size_t room = std::min(nodes_.size(), most_room);
@@ -81,6 +81,36 @@ void Lattice::lay_over(const Window& tile) {
   arrivals_.reserve(room);
   trails_.reserve(room);
   patches_.reserve(room);
+}
+
+/// Neighbouring tiles are often taken one after the other, and share a tenth of their guides.
+void Lattice::keep_guides() {
+  kept_.clear();
+  const int left = std::max(nodes_.left(), nodes_before_.left());
+  const int right = std::min(nodes_.right(), nodes_before_.right());
+  const int bottom = std::min(nodes_.bottom(), nodes_before_.bottom());
+  // Kinds are searched one by one: when there are too many, all is forgotten.
+  const bool keeps = left < right && known_kinds_.size() <= most_kinds;
+  if (!keeps) known_kinds_.clear();
+  for (int row = std::max(nodes_.top(), nodes_before_.top()); keeps && row < bottom; ++row) {
+    const std::uint32_t* const before = &nodes_before_.at(left, row);
+    std::uint32_t* const here = &nodes_.at(left, row);
+    for (int i = 0; i < right - left; ++i)
+      if (before[i] != none) kept_.push_back({before[i], here + i});
+  }
+  std::sort(kept_.begin(), kept_.end(),
+            [](const Kept& a, const Kept& b) { return a.guide < b.guide; });
+  for (std::uint32_t to = 0; to < kept_.size(); ++to) {
+    const std::uint32_t from = kept_[to].guide;
+    guides_[to] = guides_[from];
+    arrivals_[to] = arrivals_[from];
+    kinds_[to] = kinds_[from];
+    trails_[to] = trails_[from];
+    *kept_[to].node = to;
+  }
+  guides_.resize(kept_.size());
+  arrivals_.resize(kept_.size());
+  kinds_.resize(kept_.size());
 }
 
 bool Lattice::holds_samples(const Cell& cell) const {

@@ -29,7 +29,8 @@ class Lattice {
   /// Borrows both.
   Lattice(const World& world, const BeamGuard& guard, const Window& tile);
 
-  /// Forgets everything, for another tile. Fresh memory costs more than what is done in it.
+  /// Forgets everything, for another tile, but guides that both may ask for. Fresh memory costs
+  /// more than what is done in it.
   void lay_over(const Window& tile);
 
   /// Where the photons of camera samples arrive.
@@ -64,6 +65,7 @@ class Lattice {
   /// At four by four nodes.
   using Kinds = std::array<std::array<std::uint32_t, 4>, 4>;
 
+  void keep_guides();
   /// Whether samples of the tile may lie in it.
   [[nodiscard]] bool holds_samples(const Cell& cell) const;
   void settle_from(int row, Tally& tally);
@@ -87,10 +89,10 @@ class Lattice {
   const BeamGuard& guard_;
   PhotonSource source_;
   Window tile_;
-  int settled_ = 0;            ///< the coarse row down to which is decided
-  Grid<std::uint32_t> nodes_;  ///< the guides at them
-  Grid<PixelSpan> pixels_;     ///< in coarse cells; below 0 until asked for
-  Grid<std::uint32_t> cells_;  ///< the patches that the smallest cells lie in
+  int settled_ = 0;                           ///< the coarse row down to which is decided
+  Grid<std::uint32_t> nodes_, nodes_before_;  ///< the guides at them, here and a tile before
+  Grid<PixelSpan> pixels_;                    ///< in coarse cells; below 0 until asked for
+  Grid<std::uint32_t> cells_;                 ///< the patches that the smallest cells lie in
   std::vector<Patch> patches_;
   std::vector<Cell> undecided_, next_;
 
@@ -100,6 +102,12 @@ class Lattice {
   std::vector<Trail> trails_;         ///< of the guides, and room for more
   std::vector<std::uint32_t> kinds_;  ///< of the guides; `none` if nobody else can tell it
   std::vector<Kind> known_kinds_;
+  /// A guide of the tile before, and the node that it is at.
+  struct Kept {
+    std::uint32_t guide;
+    std::uint32_t* node;
+  };
+  std::vector<Kept> kept_;
 
   std::vector<std::uint32_t> left_;  ///< samples of a call whose photons go their own way
   std::vector<Photon> own_;          ///< these
