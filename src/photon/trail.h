@@ -49,20 +49,15 @@ class Trail {
     known_ = true;
   }
   void pass(Vec3d place, double length, double turning) {
-    if (count_ == most_points) known_ = false;
-    if (!known_) return;
     const Waypoint point{
         {static_cast<float>(place.x), static_cast<float>(place.y), static_cast<float>(place.z)},
         static_cast<float>(length),
         static_cast<float>(turning),
         crossings_};
-    if (count_ < few_points) {
+    if (known_ && count_ < few_points)
       few_[count_++] = point;
-      return;
-    }
-    if (count_ == few_points) many_.assign(few_.begin(), few_.end());
-    many_.push_back(point);
-    ++count_;
+    else
+      add_to_many(point);
   }
   /// The next place lies beyond that portal.
   void cross(std::uint32_t portal) {
@@ -91,6 +86,15 @@ class Trail {
   static constexpr std::size_t few_points = 20, most_points = 64;
   static constexpr std::uint32_t most_portals = 31;
   static constexpr int most_crossings = 12;  // 32^12 fits 64 bits
+
+  /// Never inlined: it is seldom.
+  [[gnu::noinline]] void add_to_many(const Waypoint& point) {
+    if (count_ == most_points) known_ = false;
+    if (!known_) return;
+    if (count_ == few_points) many_.assign(few_.begin(), few_.end());
+    many_.push_back(point);
+    ++count_;
+  }
 
   std::uint64_t portals_ = 0;
   std::size_t count_ = 0;
