@@ -124,6 +124,38 @@ TEST(Lanes, APhotonsAnswerDoesNotDependOnItsNeighbours) {
   }
 }
 
+/// Small balls are passed by in most lanes, and strong fields bend single steps a lot.
+TEST(Lanes, APhotonsAnswerDoesNotDependOnItsNeighboursAmongBalls) {
+  Physics physics = physics_with(1e-4, 0.001);
+  physics.c = 6.0;
+  std::vector<Mass> masses = {mass_at({2.8, 3.7, -0.9}, 170, physics),
+                              mass_at({-1.3, 0.3, -2.1}, 46, physics),
+                              mass_at({0.9, -0.6, -1.8}, 48, physics)};
+  const double cores[] = {1.4, 1.9, 0.15};
+  for (std::size_t i = 0; i < masses.size(); ++i) {
+    masses[i].horizon = false;
+    masses[i].core = cores[i];
+  }
+  Random random(126);
+  std::vector<Shape> shapes;
+  for (int i = 0; i < 12; ++i)
+    shapes.emplace_back(
+        Sphere({random.uniform(-5, 3), random.uniform(-0.5, 6), random.uniform(-10, 4)},
+               random.uniform(0.01, 0.07)));
+  const Space space = space_with(physics, masses, std::move(shapes));
+  ASSERT_TRUE(space.lanes);
+  const auto photons = camera_photons(scaled(8000));
+  std::vector<Arrival> together(photons.size()), alone(1);
+  advance(space, photons, together);
+  for (std::size_t i = 0; i < photons.size(); ++i) {
+    advance(space, {&photons[i], 1}, alone);
+    ASSERT_EQ(alone[0].fate, together[i].fate) << i;
+    ASSERT_EQ(alone[0].position, together[i].position) << i;
+    ASSERT_EQ(alone[0].direction, together[i].direction) << i;
+    ASSERT_EQ(alone[0].length, together[i].length) << i;
+  }
+}
+
 TEST(Lanes, MeetAHorizonFromFarAwayWhereItIs) {
   // The horizon is larger than the influence, so that ways are straight until they meet it.
   const Physics physics = physics_with(1e-4, 800.0);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "io/read_scene.h"
 #include "photon/engine.h"
@@ -184,6 +185,59 @@ vertices = [[-5, 3, -1], [5, 3, -1], [5, 3, 9], [-5, 3, 9]]
             0);
 }
 
+/// Neighbouring ways come out of a slanted portal far from each other.
+TEST(Lattice, LosesNoBallAtASlantedExit) {
+  const double x = 4 * std::sin(0.17), z = 4 * std::cos(0.17);
+  const std::string exit =
+      fmt::format("vertices = [[{0}, -2, {1}], [{2}, -2, -{1}], [{2}, 2, -{1}], [{0}, 2, {1}]]\n",
+                  20 + x, z, 20 - x);
+  int unlike = 0;
+  for (int i = 0; i < test::scaled(20); ++i) {
+    test::Random random(static_cast<std::uint64_t>(70 + i));
+    std::string balls;
+    for (int k = 0; k < 12; ++k) {
+      const double along = random.uniform(-4, 4);
+      balls += fmt::format("[[sphere]]\ncenter = [{}, {}, {}]\nradius = {}\n",
+                           20 + 0.17 * along + random.uniform(0.02, 0.4), random.uniform(-2, 2),
+                           along, random.uniform(0.01, 0.05));
+    }
+    unlike += pixels_unlike(small_film + R"([camera]
+position = [3.9, 0, 0.7]
+look_at = [0, 0, 0]
+[[portal]]
+name = "a"
+pair = "b"
+vertices = [[-4, -2, 0], [4, -2, 0], [4, 2, 0], [-4, 2, 0]]
+[[portal]]
+name = "b"
+pair = "a"
+)" + exit + balls);
+  }
+  EXPECT_EQ(unlike, 0);
+}
+
+/// Of two heavy bodies the shadow holds images that are a few pixels large.
+TEST(Lattice, LosesNoLightWithinShadows) {
+  EXPECT_EQ(pixels_unlike(small_film + R"([camera]
+position = [0.317477, 1.16812, 13]
+look_at = [0, 1.5, 0]
+[physics]
+min_force = 0.001
+c = 12
+[[quad]]
+vertices = [[-60, -4, 30], [60, -4, 30], [60, -4, -60], [-60, -4, -60]]
+[[mass]]
+center = [0.801855, 1.97479, -1.72931]
+mass = 156.569
+[[mass]]
+center = [-0.723865, 1.40117, 0.0685343]
+mass = 53.5047
+horizon = false
+core_radius = 0.234546
+)"),
+            0);
+}
+
 /// At the rim of a wide view a pixel is narrow, and so is what may be smoothed away.
 TEST(Lattice, MeasuresPixelsWhereTheyAre) {
   const World world = world_of(small_film + R"([camera]
@@ -241,6 +295,35 @@ TEST(Lattice, LeavesNoTraceOfTilesAndCrops) {
           ASSERT_EQ(part.image.at(x - crop.x0, y - crop.y0)[channel],
                     whole.image.at(x, y)[channel]);
   }
+}
+
+/// Of so wide a tile only one row of cells is decided at a time.
+TEST(Lattice, LeavesNoTraceOfTilesThatAreWide) {
+  const World world = world_of(R"([film]
+width = 400
+height = 16
+[sampler]
+samples = 2
+[camera]
+position = [0, 2, 10]
+look_at = [0, 2, 0]
+[[light]]
+position = [4, 9, 8]
+intensity = [400, 400, 380]
+[[quad]]
+vertices = [[-30, 0, 30], [30, 0, 30], [30, 4, -30], [-30, 4, -30]]
+[[mass]]
+center = [0.6, 2.7, 1.0]
+mass = 150
+)");
+  const auto taken = [&](int tile) {
+    RenderOptions options;
+    options.tile_size = tile;
+    return render(world, options);
+  };
+  const RenderResult small = taken(64), wide = taken(400);
+  EXPECT_EQ(small.image.pixels, wide.image.pixels);
+  EXPECT_EQ(small.tally.interpolated, wide.tally.interpolated);
 }
 
 /// Samples that nobody tells of, guides among them, are what their photons find, to the bit.
