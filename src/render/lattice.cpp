@@ -56,6 +56,12 @@ Spot spot_in(int stride, const FilmPlace& place) {
 
 }  // namespace
 
+Lattice::Patch::Patch(const Cell& cell)
+    : found(cell.aside),
+      left(place_of(cell.column * cell.stride)),
+      top(place_of(cell.row * cell.stride)),
+      side(cell.stride * spacing) {}
+
 Lattice::Lattice(const World& world, const BeamGuard& guard, const Window& tile)
     : world_(world), guard_(guard), source_(world) {
   lay_over(tile);
@@ -234,10 +240,7 @@ void Lattice::decide(const Cell& cell) {
   const double halved = cell.stride > 1 ? by_halving : 1.0;
   const double most =
       most_third_difference(world_.space) * (cell.aside.is_none() ? 1.0 : share_aside);
-  const double side = cell.stride * spacing;
-  Patch& patch =
-      patches_.emplace_back(Patch{Bicubic(cell.aside), place_of(cell.column * cell.stride),
-                                  place_of(cell.row * cell.stride), side});
+  Patch& patch = patches_.emplace_back(cell);
   const double roughness = patch.found.through(
       world_.space, guides, pixel_in(cell.column / share, cell.row / share), most, halved);
   const auto clear = [&] {

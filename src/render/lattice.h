@@ -52,6 +52,8 @@ class Lattice {
   struct Patch {
     Bicubic found;
     double left, top, side;  ///< on the film
+
+    explicit Patch(const Cell& cell);
   };
   /// What photons met that can be told by each other: the same kind.
   struct Kind {
