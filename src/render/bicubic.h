@@ -20,7 +20,6 @@ struct NodeStep {
   int right = 0, down = 0;
 
   [[nodiscard]] bool is_none() const { return right == 0 && down == 0; }
-  friend bool operator==(const NodeStep&, const NodeStep&) = default;
 };
 
 /// The polynomial of the third degree each way through what sixteen photons found, four each way.
@@ -33,7 +32,7 @@ class Bicubic {
   [[nodiscard]] static bool can_tell(const Space& space, const Arrival& arrival);
 
   /// @param aside  from the cell whose photons it tells of to the one between its inner four guides
-  explicit Bicubic(NodeStep aside = {}) : aside_(aside) {}
+  explicit Bicubic(NodeStep aside) : aside_(aside) {}
 
   /// Puts the polynomial through the guides, if it may be used: if their third differences are no
   /// larger than those of a function that is such a polynomial but for hundredths of a pixel.

@@ -108,11 +108,12 @@ void Lattice::keep_guides() {
             [](const Kept& a, const Kept& b) { return a.guide < b.guide; });
   for (std::uint32_t to = 0; to < kept_.size(); ++to) {
     const std::uint32_t from = kept_[to].guide;
+    *kept_[to].node = to;
+    if (from == to) continue;
     guides_[to] = guides_[from];
     arrivals_[to] = arrivals_[from];
     kinds_[to] = kinds_[from];
     trails_[to] = trails_[from];
-    *kept_[to].node = to;
   }
   guides_.resize(kept_.size());
   arrivals_.resize(kept_.size());
@@ -163,8 +164,8 @@ void Lattice::want_guides(bool finest) {
 void Lattice::send_guides(Tally& tally) {
   aims_.clear();
   want_guides(false);
-  // In the smallest cells nobody looks for obstacles again, and who meets no portal has nothing to
-  // tell of its way.
+  // The smallest cells are parts of clear ones: nobody looks for obstacles again, and who meets no
+  // portal has nothing to tell of its way.
   const std::size_t silent_from = aims_.size();
   want_guides(true);
   const std::size_t first = guides_.size(), count = aims_.size();
@@ -221,7 +222,7 @@ void Lattice::decide(const Cell& cell) {
   const auto corner = [&](int i, int j) {
     return nodes_.at((cell.column + i) * cell.stride, (cell.row + j) * cell.stride);
   };
-  const std::uint32_t first = corner(0, 0);
+  const std::uint32_t first = corner(0, 0);  // of the cell, wherever its guides lie
   Kinds kinds;
   Bicubic::Guides guides;
   bool agree = kinds_[first] != none;
@@ -237,18 +238,18 @@ void Lattice::decide(const Cell& cell) {
   }
   if (!agree) return look_aside(cell, kinds);
   const int share = coarse / cell.stride;
-  const double halved = cell.stride > 1 ? by_halving : 1.0;
+  const double given_up = cell.stride > 1 ? by_halving : 1.0;
   const double most =
       most_third_difference(world_.space) * (cell.aside.is_none() ? 1.0 : share_aside);
   Patch& patch = patches_.emplace_back(cell);
   const double roughness = patch.found.through(
-      world_.space, guides, pixel_in(cell.column / share, cell.row / share), most, halved);
+      world_.space, guides, pixel_in(cell.column / share, cell.row / share), most, given_up);
   const auto clear = [&] {
     return guard_.clear(
         {&trails_[first], &trails_[corner(1, 0)], &trails_[corner(0, 1)], &trails_[corner(1, 1)]},
         arrivals_[first]);
   };
-  const bool usable = roughness <= halved && (cell.clear || clear());
+  const bool usable = roughness <= given_up && (cell.clear || clear());
   if (usable && roughness <= 1.0) {
     for (int j = 0; j < cell.stride; ++j)
       for (int i = 0; i < cell.stride; ++i)
@@ -260,8 +261,8 @@ void Lattice::decide(const Cell& cell) {
   if (usable || cell.stride == coarse) halve(cell, usable);
 }
 
-/// Beside an edge of what is seen, sixteen may agree that lie further from it. The largest cells
-/// are better halved, and of the smallest are too many.
+/// Beside an edge of what is seen, sixteen may agree that lie further from it. Of the smallest
+/// cells there are too many.
 void Lattice::look_aside(const Cell& cell, const Kinds& kinds) {
   if (cell.stride == 1) return;
   constexpr NodeStep steps[] = {{-1, 0},  {1, 0},  {0, -1}, {0, 1},

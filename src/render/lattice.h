@@ -22,8 +22,9 @@ namespace portalens {
 
 /// The lattice over one tile. Its nodes, and what is decided about its cells, depend on their place
 /// in the whole picture alone, so a sample's arrival doesn't depend on the tile, the crop or the
-/// other samples. Cells that can't be interpolated are tried again at half their size, and where
-/// that fails, too, each photon goes its own way.
+/// other samples. A cell that can't be interpolated from the sixteen guides round it is tried with
+/// sixteen aside of it; then, if it is of the largest, or nothing but its bend is too large, in
+/// quarters; and where all that fails, each photon goes its own way.
 class Lattice {
  public:
   /// Borrows both.
@@ -70,6 +71,7 @@ class Lattice {
   void keep_guides();
   /// Whether samples of the tile may lie in it.
   [[nodiscard]] bool holds_samples(const Cell& cell) const;
+  /// Decides what lies in some coarse rows from that one on; those left out before stay undecided.
   void settle_from(int row, Tally& tally);
   void want_guides(bool finest);
   void send_guides(Tally& tally);

@@ -15,8 +15,8 @@ struct Tally {
   std::uint64_t photons = 0;         ///< those, and their offspring
   std::uint64_t shadow_queries = 0;  ///< straight ways to lights
   std::uint64_t interpolated = 0;    ///< photons that found what their neighbours told (lattice.h)
-  std::uint64_t guides =
-      0;  ///< neighbours that were sent for it, which are no photons of the picture
+  /// Neighbours that were sent for it. Tiles that a thread takes one after the other share some.
+  std::uint64_t guides = 0;
   std::uint64_t steps = 0;       ///< of all photons
   std::uint64_t crossings = 0;   ///< of portals, by all photons
   std::uint64_t not_finite = 0;  ///< samples whose light was not a number; shown as lost

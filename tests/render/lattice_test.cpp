@@ -113,6 +113,36 @@ TEST(Lattice, FindsWhatPhotonsFindToHundredthsOfAPixel) {
   EXPECT_LT(misses.back(), 0.5);
 }
 
+/// Where masses alone bend light, larger third differences are let pass.
+TEST(Lattice, FindsWhatPhotonsFindAroundAHoleToHundredthsOfAPixel) {
+  const Found found = found_in(world_of(small_film + R"([camera]
+position = [0.0, 2.5, 13.0]
+look_at = [0.0, 1.6, 0.0]
+[physics]
+min_force = 0.1
+portal_gravity = "none"
+[[quad]]
+vertices = [[-30, 0, 30], [30, 0, 30], [30, 0, -30], [-30, 0, -30]]
+[[mass]]
+center = [0.3, 2.2, 0]
+mass = 900
+)"));
+  EXPECT_GT(found.tally.interpolated, found.own.size() / 2);
+  const double pixel = 40.0 * 3.14159 / 180.0 / side;
+  std::vector<double> misses;
+  for (std::size_t i = 0; i < found.own.size(); ++i) {
+    const Arrival &own = found.own[i], &other = found.interpolated[i];
+    ASSERT_EQ(own.fate, other.fate) << "pixel " << i % side << ' ' << i / side;
+    if (own.fate == Fate::escaped)
+      misses.push_back(length(own.direction - other.direction) / pixel);
+    if (own.fate == Fate::hit)
+      misses.push_back(length(own.position - other.position) / own.length / pixel);
+  }
+  std::sort(misses.begin(), misses.end());
+  EXPECT_LT(misses[misses.size() * 99 / 100], 0.05);
+  EXPECT_LT(misses.back(), 0.5);
+}
+
 TEST(Lattice, LosesNoBallOfAPixel) {
   for (int i = 0; i < test::scaled(10); ++i) {
     test::Random random(static_cast<std::uint64_t>(31 + i));
