@@ -34,6 +34,7 @@ class GatePlanner {
       if (scene_.gate_count == most_lane_gates) return false;
       const int index = scene_.gate_count++;
       fill(scene_.gates[index], portals[a], reach, parent, entered);
+      if (scene_.outline_count > 0) scene_.gates[index].outline = &scene_.outlines[a];
       if (!add(depth - 1, index, portals[a].pair, &portals[a])) return false;
     }
     return true;
@@ -197,10 +198,11 @@ void add_maps(const Space& space, const GravitonMapCoupling& coupling, LanePlan&
 bool add_coupling(const Space& space, LanePlan& plan) {
   if (const auto* closest = std::get_if<ClosestPointCoupling>(&space.coupling))
     return GatePlanner(space, *closest, plan).plan();
+  const bool rectangles = plan.scene.outline_count == 0;
   if (const auto* map = std::get_if<GravitonMapCoupling>(&space.coupling))
-    return add_maps(space, *map, plan), true;
+    return rectangles && (add_maps(space, *map, plan), true);
   if (const auto* shortest = std::get_if<ShortestPathCoupling>(&space.coupling))
-    return add_ways(space, *shortest, plan);
+    return rectangles && add_ways(space, *shortest, plan);
   if (const auto* masses = std::get_if<PortalMassCoupling>(&space.coupling))
     return add_portal_masses(space, *masses, plan.center, plan.scene);
   return std::holds_alternative<NoCoupling>(space.coupling);

@@ -8,7 +8,7 @@ namespace portalens {
 
 /// Adds the coupling of a space to a plan that has its masses already.
 /// @return false where lanes can't do it
-/// @pre every portal is a rectangle
+/// @pre its portals are there, too
 [[nodiscard]] bool add_coupling(const Space& space, LanePlan& plan);
 
 }  // namespace portalens

@@ -1,6 +1,6 @@
 /// \file
-/// The field over lanes: masses directly, and `closest-point` through rectangular portals. What
-/// is decided at a step's start stays frozen over it, as in `Field`.
+/// The field over lanes: masses directly, and `closest-point` through portals. What is decided at a
+/// step's start stays frozen over it, as in `Field`.
 #pragma once
 
 #include "gravity/attraction.h"
@@ -18,13 +18,14 @@ struct LaneBending {
 };
 
 /// The decisions of one step.
-template <class R>
+/// @tparam Foot  the nearest feature of a portal: of a rectangle, or `LaneOutlineFoot`
+template <class R, class Foot = LaneFoot<R>>
 struct LaneField {
   const LaneScene& scene;
   R inside[most_lane_masses];  ///< G M / c² where the influence holds, else 0
   /// Of each mass, from the step's start: square of its distance, and how far ahead it is.
   R squares[most_lane_masses], along[most_lane_masses];
-  LaneFoot<R> feet[most_lane_gates];
+  Foot feet[most_lane_gates];
   R reached[most_lane_gates];                 ///< 1 where the gate acts
   R seen[most_lane_gates][most_lane_masses];  ///< as `inside`, through the gate
   typename R::Mask acting;
@@ -114,7 +115,7 @@ struct LaneField {
       qx[g] = feet[g].x(local);
       qy[g] = feet[g].y(local);
       const auto changed = which & (reached[g] > R(0)) & has_other_foot(gate, feet[g], local);
-      if (any(changed)) first.offer_borders(gate, changed, seen_from(g, path));
+      if (any(changed)) offer_borders(first, gate, feet[g], changed, seen_from(g, path));
     }
     return first.share;
   }
@@ -129,7 +130,7 @@ struct LaneField {
       const LaneGate& gate = scene.gates[g];
       const Vec3<R> local = local_of(g, anchor, qx, qy);
       const R above = gate.parent < 0 ? R(1) : reached[gate.parent];
-      feet[g] = foot_on(gate, local);
+      feet[g] = Foot::on(gate, local);
       qx[g] = feet[g].x(local);
       qy[g] = feet[g].y(local);
       const Vec3<R> from{local.x - qx[g], local.y - qy[g], local.z};
@@ -148,12 +149,10 @@ struct LaneField {
   [[nodiscard]] LocalPath<R> seen_from(int g, const LanePath<R>& path) const {
     const LaneGate& gate = scene.gates[g];
     if (gate.parent < 0) return LocalPath<R>::over(gate, path);
-    const LaneFoot<R>& foot = feet[gate.parent];
-    const LocalPath<R> before = seen_from(gate.parent, path);
-    const auto x = before.x * foot.keep_x + foot.fix_x, y = before.y * foot.keep_y + foot.fix_y;
-    return {x * R(gate.by_x.x) + y * R(gate.by_y.x) + R(gate.offset.x),
-            x * R(gate.by_x.y) + y * R(gate.by_y.y) + R(gate.offset.y),
-            x * R(gate.by_x.z) + y * R(gate.by_y.z) + R(gate.offset.z)};
+    const LocalPath<R> q = feet[gate.parent].led_by(seen_from(gate.parent, path));
+    return {q.x * R(gate.by_x.x) + q.y * R(gate.by_y.x) + R(gate.offset.x),
+            q.x * R(gate.by_x.y) + q.y * R(gate.by_y.y) + R(gate.offset.y),
+            q.x * R(gate.by_x.z) + q.y * R(gate.by_y.z) + R(gate.offset.z)};
   }
 
   struct Source {
@@ -166,7 +165,7 @@ struct LaneField {
     return {inverse, inverse2, gm * inverse2 * inverse};
   }
 
-  /// What comes through the gates depends on where the points of their rectangles are, not on where
+  /// What comes through the gates depends on where the points of their faces are, not on where
   /// the photon is: steps are the longer the slower those move.
   [[nodiscard]] Vec3<R> bending_of_gates(Vec3<R> x, Vec3<R> t, LaneBending<R>& sum) const {
     R speed_x[most_lane_gates], speed_y[most_lane_gates], slowness[most_lane_gates];
@@ -175,8 +174,8 @@ struct LaneField {
       const Vec3<R> way = gate.parent < 0 ? to_axes(t, gate.right, gate.up, gate.normal)
                                           : spread<R>(gate.by_x) * speed_x[gate.parent] +
                                                 spread<R>(gate.by_y) * speed_y[gate.parent];
-      speed_x[g] = feet[g].keep_x * way.x;
-      speed_y[g] = feet[g].keep_y * way.y;
+      speed_x[g] = feet[g].speed_x(way);
+      speed_y[g] = feet[g].speed_y(way);
       slowness[g] = slowness_of(speed_x[g], speed_y[g]);
     }
     return through_gates(x, [&](int g, const Source& source, R gm) {

@@ -67,16 +67,25 @@ void add_masses(const Space& space, const LanePlan& plan, LaneScene& scene) {
 bool add_portals(const Space& space, Vec3d center, LaneScene& scene) {
   const auto portals = space.portals.portals();
   if (portals.size() > most_lane_portals) return false;
+  const auto is_rectangle = [](const Portal& p) { return rectangle_of(p).half_width > 0.0; };
+  const bool plain = std::all_of(portals.begin(), portals.end(), is_rectangle);
   for (const Portal& portal : portals) {
-    const Rectangle rectangle = rectangle_of(portal);
-    if (rectangle.half_width == 0.0) return false;
+    if (portal.vertices.size() > most_lane_edges) return false;
     LanePortal& lane = scene.portals[scene.portal_count++];
+    const Rectangle extent = extent_of(portal);
+    const LaneOutline* outline = nullptr;
+    if (!plain) {
+      LaneOutline& added = scene.outlines[scene.outline_count++];
+      added = outline_of(portal);
+      if (!is_rectangle(portal)) outline = &added;
+    }
     lane = {narrow(portal.frame.origin - center),
             narrow(portal.frame.right),
             narrow(portal.frame.up),
             narrow(portal.frame.normal),
-            static_cast<float>(rectangle.half_width),
-            static_cast<float>(rectangle.half_height),
+            static_cast<float>(extent.half_width),
+            static_cast<float>(extent.half_height),
+            outline,
             static_cast<float>(portal.height_tolerance()),
             portal.back_material ? 1.0f : 0.0f};
   }

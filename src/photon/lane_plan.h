@@ -33,9 +33,10 @@ struct LanePlan {
   }
 };
 
-/// Null where lanes can't do it: a fixed-step integrator, infinite influences, portals that are no
-/// rectangles, `shortest-path` through more than one portal, or more masses that are not
-/// alone, portals, chains or ways than the lanes have room for. The scalar engine does all of that.
+/// Null where lanes can't do it: a fixed-step integrator, infinite influences, portals of
+/// more edges than `most_lane_edges`, `graviton-map` and `shortest-path` through any that is no
+/// rectangle, `shortest-path` through more than one portal, or more masses that are not alone,
+/// portals, chains or ways than the lanes have room for. The scalar engine does all of that.
 [[nodiscard]] std::unique_ptr<const LanePlan> plan_lanes(const Space& space);
 
 }  // namespace portalens

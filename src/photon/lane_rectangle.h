@@ -28,6 +28,9 @@ Vec3<R> local_in(const LaneFace& face, Vec3<R> x) {
   return to_axes(x - spread<R>(face.origin), face.right, face.up, face.normal);
 }
 
+template <class R>
+struct LocalPath;
+
 /// The feature of a rectangle that is nearest: q.x = keep_x · local.x + fix_x, and so on.
 template <class R>
 struct LaneFoot {
@@ -38,6 +41,18 @@ struct LaneFoot {
   [[nodiscard]] typename R::Mask same(const LaneFoot& other) const {
     return (keep_x == other.keep_x) & (fix_x == other.fix_x) & (keep_y == other.keep_y) &
            (fix_y == other.fix_y);
+  }
+
+  template <class Rectangle>
+  [[nodiscard]] static LaneFoot on(const Rectangle& rectangle, Vec3<R> local) {
+    return foot_on(rectangle, local);
+  }
+  /// How fast the nearest point moves, as the photon does.
+  [[nodiscard]] R speed_x(Vec3<R> way) const { return keep_x * way.x; }
+  [[nodiscard]] R speed_y(Vec3<R> way) const { return keep_y * way.y; }
+  /// Its path, as the photon's is; in the plane.
+  [[nodiscard]] LocalPath<R> led_by(const LocalPath<R>& path) const {
+    return {path.x * keep_x + fix_x, path.y * keep_y + fix_y, {}};
   }
 };
 
@@ -137,6 +152,13 @@ struct FirstMeeting {
     offer(behind, path.x + path.y + -gap);
   }
 };
+
+/// All planes at which the nearest feature of a rectangle changes.
+template <class R, class Rectangle>
+void offer_borders(FirstMeeting<R>& first, const Rectangle& rectangle, const LaneFoot<R>&,
+                   typename R::Mask may, const LocalPath<R>& path) {
+  first.offer_borders(rectangle, may, path);
+}
 
 /// Where, straight on but for how the way turns at first, the nearest feature changes or the
 /// distance to it passes the reach.

@@ -31,6 +31,8 @@ inline constexpr int most_lane_masses = 8;
 inline constexpr int most_lane_lone_masses = 128;
 inline constexpr int most_lane_gates = 20;
 inline constexpr int most_lane_portals = 8;
+/// Of a portal.
+inline constexpr int most_lane_edges = 8;
 inline constexpr int most_lane_polygons = 48;
 inline constexpr int most_lane_spheres = 24;
 inline constexpr int most_lane_boxes = 24;
@@ -44,7 +46,21 @@ struct LaneLone {
   const float* cells;  ///< of its `CrossingTable`
 };
 
-/// One way through a portal in the recursion of `closest-point`: a rectangle in its own plane, and
+/// An edge of a convex polygon in coordinates of its plane; counter-clockwise, so that the outside
+/// is to the right of its direction.
+struct LaneEdge {
+  float along_x, along_y;  ///< its direction, a unit vector
+  float begin, length;     ///< where it starts along its direction, seen from the origin
+  float out;               ///< how far its line lies from the origin, towards the outside
+};
+
+/// The edges of a portal that need not be a rectangle.
+struct LaneOutline {
+  int count;
+  LaneEdge edges[most_lane_edges];
+};
+
+/// One way through a portal in the recursion of `closest-point`: a polygon in its own plane, and
 /// the masses as they are seen through it. Local coordinates are (right, up, normal) of the
 /// rectangle, from its middle.
 struct LaneGate {
@@ -55,7 +71,8 @@ struct LaneGate {
   // With a parent: rotates an acceleration from this gate's local axes to its parent's (columns).
   LaneVec to_parent_x, to_parent_y, to_parent_z;
   float half_width, half_height;
-  float tolerance;  ///< heights down to minus this count as in front
+  const LaneOutline* outline;  ///< null where all portals are rectangles
+  float tolerance;             ///< heights down to minus this count as in front
   float reach, reach2;
   LaneVec images[most_lane_masses];  ///< of the masses, in local coordinates
 };
@@ -100,7 +117,8 @@ struct LaneMap {
 /// A portal's front, for crossing it.
 struct LanePortal {
   LaneVec origin, right, up, normal;
-  float half_width, half_height;
+  float half_width, half_height;  ///< of what holds it, about its origin
+  const LaneOutline* outline;     ///< null if it is a rectangle
   float tolerance;
   float back;  ///< 1 if its back is a surface, else 0
 };
@@ -128,8 +146,8 @@ struct LaneBox {
 };
 
 struct LaneScene {
-  int mass_count, gate_count, map_count, entrance_count, way_count, portal_count, polygon_count,
-      sphere_count, box_count, lone_count;
+  int mass_count, gate_count, map_count, entrance_count, way_count, portal_count, outline_count,
+      polygon_count, sphere_count, box_count, lone_count;
   float stiffness_weight, nearness_weight;  ///< of the step, see Radau
   float ahead;         ///< the place that decides what acts lies this far ahead
   float overshoot;     ///< a step ends this far past a boundary
@@ -144,6 +162,8 @@ struct LaneScene {
   LaneEntrance entrances[most_lane_portals];
   LaneWay ways[most_lane_ways];
   LanePortal portals[most_lane_portals];
+  /// One for each portal, or none where all are rectangles.
+  LaneOutline outlines[most_lane_portals];
   LanePolygon polygons[most_lane_polygons];
   LaneSphere spheres[most_lane_spheres];
   LaneBox boxes[most_lane_boxes];

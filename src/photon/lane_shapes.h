@@ -2,6 +2,10 @@
 /// From doubles to what lanes hold.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
+#include "gravity/portal_face.h"
 #include "photon/lane_scene.h"
 #include "portal/portal.h"
 
@@ -28,6 +32,32 @@ struct Rectangle {
         1e-9 * portal.longest_edge)
       return {};
   return {corner.x, corner.y};
+}
+
+/// The smallest rectangle about its frame that holds a portal.
+[[nodiscard]] inline Rectangle extent_of(const Portal& portal) {
+  Rectangle extent = rectangle_of(portal);
+  if (extent.half_width > 0.0) return extent;
+  for (const Vec3d& vertex : portal.vertices) {
+    const Vec3d local = portal.frame.to_local(vertex);
+    extent.half_width = std::max(extent.half_width, std::fabs(local.x));
+    extent.half_height = std::max(extent.half_height, std::fabs(local.y));
+  }
+  return extent;
+}
+
+/// @pre no more vertices than `most_lane_edges`
+[[nodiscard]] inline LaneOutline outline_of(const Portal& portal) {
+  LaneOutline outline{};
+  const PortalFace face(portal);
+  for (const FaceEdge& edge : face.edges()) {
+    const double begin = edge.start_x * edge.direction_x + edge.start_y * edge.direction_y;
+    outline.edges[outline.count++] = {static_cast<float>(edge.direction_x),
+                                      static_cast<float>(edge.direction_y),
+                                      static_cast<float>(begin), static_cast<float>(edge.length),
+                                      static_cast<float>(-edge.outside(0.0, 0.0))};
+  }
+  return outline;
 }
 
 }  // namespace portalens

@@ -7,6 +7,7 @@
 #include "photon/lane_crossing.h"
 #include "photon/lane_field.h"
 #include "photon/lane_graviton_map.h"
+#include "photon/lane_outline.h"
 #include "photon/lane_path.h"
 #include "photon/lane_scene.h"
 #include "photon/lane_shortest_path.h"
@@ -223,8 +224,9 @@ class LaneStepper {
           crossing(crosses, path.height(z0, normal), max(z0, R(0)) / select(crosses, z0 - z1, R(1)),
                    select(z1 < R(0), R(1), R(-1)), R(0), R(1));
       const V d = path.place.at(u) - origin;
-      const auto within = (abs(dot(d, spread<R>(portal.right))) <= R(portal.half_width)) &
-                          (abs(dot(d, spread<R>(portal.up))) <= R(portal.half_height));
+      const R x = dot(d, spread<R>(portal.right)), y = dot(d, spread<R>(portal.up));
+      Mask within = (abs(x) <= R(portal.half_width)) & (abs(y) <= R(portal.half_height));
+      if (portal.outline) within = within & covers(*portal.outline, x, y);
       found.offer(crosses & within, u, LaneEvent::portal, R(p));
     }
   }
@@ -335,6 +337,8 @@ std::uint32_t step_lanes(const LaneScene& scene, Lanes& lanes) {
     return step_lanes_in<R, LaneCoupled<R, LaneGravitonMap<R>>>(scene, lanes);
   if (scene.way_count > 0)
     return step_lanes_in<R, LaneCoupled<R, LaneShortestPath<R>>>(scene, lanes);
+  if (scene.gate_count > 0 && scene.outline_count > 0)
+    return step_lanes_in<R, LaneField<R, LaneOutlineFoot<R>>>(scene, lanes);
   return step_lanes_in<R, LaneField<R>>(scene, lanes);
 }
 

@@ -1,0 +1,225 @@
+/// \file
+/// Over lanes: the nearest point of a portal that is any convex polygon, by the one-sided rule, and
+/// where what decides it changes along a way. `lane_rectangle.h` for all shapes.
+#pragma once
+
+#include "photon/lane_rectangle.h"
+
+namespace portalens {
+
+/// Distance of a place in its plane from an edge's line, to the outside.
+template <class R>
+[[nodiscard]] R outside_of(const LaneEdge& edge, R x, R y) {
+  return multiply_add(R(edge.along_y), x, subtract_product(R(-edge.out), R(edge.along_x), y));
+}
+
+/// Whether a place in its plane lies within a polygon, its rim included.
+template <class R>
+[[nodiscard]] typename R::Mask covers(const LaneOutline& outline, R x, R y) {
+  auto within = R(0) < R(1);
+  for (int k = 0; k < outline.count; ++k)
+    within = within & (outside_of(outline.edges[k], x, y) <= R(0));
+  return within;
+}
+
+/// A line in a face's plane, and heights over it.
+template <class R>
+struct LaneLine {
+  R x, y, offset;
+
+  [[nodiscard]] static LaneLine along(const LaneEdge& edge) {
+    return {R(edge.along_x), R(edge.along_y), R(edge.begin)};
+  }
+  /// Rounds as `outside_of` does.
+  [[nodiscard]] static LaneLine outside(const LaneEdge& edge) {
+    return {R(edge.along_y), R(-edge.along_x), R(edge.out)};
+  }
+
+  [[nodiscard]] R height(Vec3<R> local) const {
+    return multiply_add(x, local.x, multiply_add(y, local.y, -offset));
+  }
+  [[nodiscard]] R rate(Vec3<R> way) const { return multiply_add(x, way.x, y * way.y); }
+  [[nodiscard]] LaneQuintic<R, R> height(const LocalPath<R>& path) const {
+    return path.x * x + path.y * y + -offset;
+  }
+  void take(typename R::Mask where, const LaneLine& other) {
+    x = select(where, other.x, x);
+    y = select(where, other.y, y);
+    offset = select(where, other.offset, offset);
+  }
+};
+
+/// The feature of a polygon that is nearest, its inside, an edge's line or a vertex:
+///     q = keep · local + fix      in the plane, with a symmetric matrix
+/// and where it stays so: what decides it is compared with the same numbers here and there.
+template <class R>
+struct LaneOutlineFoot {
+  using Mask = typename R::Mask;
+
+  R keep_xx, keep_xy, keep_yy, fix_x, fix_y;
+  /// Of an edge, how far along it a place is, from 0 to `size`, and how far out, above 0. Of a
+  /// vertex, the same along the edge after it, below 0, and how far beyond the one before it.
+  LaneLine<R> along, out;
+  R size;    ///< 0 of a vertex
+  R beyond;  ///< of the heights over `out` from which it is nearest
+  /// 1 inside the outline, and there behind the plane, else 0. There `out` is the nearest edge's.
+  R within, behind;
+
+  [[nodiscard]] R x(Vec3<R> local) const {
+    return multiply_add(keep_xx, local.x, multiply_add(keep_xy, local.y, fix_x));
+  }
+  [[nodiscard]] R y(Vec3<R> local) const {
+    return multiply_add(keep_xy, local.x, multiply_add(keep_yy, local.y, fix_y));
+  }
+  [[nodiscard]] R speed_x(Vec3<R> way) const {
+    return multiply_add(keep_xx, way.x, keep_xy * way.y);
+  }
+  [[nodiscard]] R speed_y(Vec3<R> way) const {
+    return multiply_add(keep_xy, way.x, keep_yy * way.y);
+  }
+  [[nodiscard]] LocalPath<R> led_by(const LocalPath<R>& path) const {
+    return {path.x * keep_xx + path.y * keep_xy + fix_x,
+            path.x * keep_xy + path.y * keep_yy + fix_y,
+            {}};
+  }
+
+  /// @param gate  has `outline`, and `tolerance`: heights down to minus this count as in front
+  template <class Gate>
+  [[nodiscard]] static LaneOutlineFoot on(const Gate& gate, Vec3<R> local) {
+    const Rim rim(*gate.outline, local);
+    const Mask behind = (!rim.outside) & (local.z < R(-gate.tolerance));
+    const Mask over = (!rim.outside) & !behind, at_vertex = rim.outside & (rim.vertex > R(0));
+    const LaneLine<R>& edge = rim.edge;
+    const LaneLine<R> line{edge.y, -edge.x, rim.out};
+    LaneOutlineFoot foot;
+    foot.within = select(rim.outside, R(0), R(1));
+    foot.behind = select(behind, R(1), R(0));
+    const R slides = select(at_vertex, R(0), R(1)), begin = select(at_vertex, edge.offset, R(0));
+    foot.keep_xx = select(over, R(1), slides * edge.x * edge.x);
+    foot.keep_xy = select(over, R(0), slides * edge.x * edge.y);
+    foot.keep_yy = select(over, R(1), slides * edge.y * edge.y);
+    foot.fix_x = select(over, R(0), multiply_add(begin, edge.x, line.offset * line.x));
+    foot.fix_y = select(over, R(0), multiply_add(begin, edge.y, line.offset * line.y));
+    foot.along = edge;
+    foot.out = line;
+    foot.out.take(at_vertex, rim.before);
+    foot.size = slides * rim.size;
+    foot.beyond = select(at_vertex, rim.size_before, R(0));
+    return foot;
+  }
+
+  /// How far on the way leaves the region along `along`: at either end of an edge.
+  [[nodiscard]] R to_end(R place, R speed) const {
+    return place - select(speed > R(0), size, R(0));
+  }
+
+ private:
+  /// What of the rim is nearest: the strip of an edge, or the wedge of the vertex that it begins
+  /// with, which it lies in. From inside, the nearest line.
+  struct Rim {
+    Mask outside;
+    LaneLine<R> edge{R(0), R(0), R(0)}, before = edge;  ///< along the edge, and the one before
+    R out{0}, size{0}, size_before{0};
+    R vertex{0};  ///< 1: not the edge is nearest but where it begins
+
+    Rim(const LaneOutline& outline, Vec3<R> local) : outside(R(1) < R(0)) {
+      Mask open = R(0) < R(1);
+      R most(-never);
+      const LaneEdge* last = &outline.edges[outline.count - 1];
+      R past = LaneLine<R>::along(*last).height(local) - R(last->length);
+      for (int k = 0; k < outline.count; ++k) {
+        const LaneEdge& here = outline.edges[k];
+        const auto its_edge = LaneLine<R>::along(here);
+        const R place = its_edge.height(local), height = outside_of(here, local.x, local.y);
+        const R its_past = place - R(here.length);
+        const Mask out_here = height > R(0), begun = place > R(0);
+        const Mask wedge = (past > R(0)) & !begun;
+        const Mask strip = out_here & begun & !(its_past > R(0));
+        const Mask found = open & (wedge | strip | (height > most));
+        edge.take(found, its_edge);
+        before.take(found, LaneLine<R>::along(*last));
+        out = select(found, R(here.out), out);
+        size = select(found, R(here.length), size);
+        size_before = select(found, R(last->length), size_before);
+        vertex = select(found, select(wedge, R(1), R(0)), vertex);
+        most = max(most, height);
+        open = open & !(wedge | strip);
+        outside = outside | out_here;
+        past = its_past;
+        last = &here;
+      }
+    }
+  };
+};
+
+/// Where another feature than that of `foot` is nearest.
+template <class R, class Gate>
+[[nodiscard]] typename R::Mask has_other_foot(const Gate& gate, const LaneOutlineFoot<R>& foot,
+                                              Vec3<R> local) {
+  const R place = foot.along.height(local), out = foot.out.height(local);
+  const auto on_edge = foot.size > R(0);
+  const auto other =
+      (place - foot.size > R(0)) | (on_edge & !(place > R(0))) | !(out - foot.beyond > R(0));
+  const auto within = foot.within > R(0), behind = foot.behind > R(0);
+  if (!any(within)) return other;
+  const auto below = local.z < R(-gate.tolerance);
+  auto leaves = (below & !behind) | (behind & !below);
+  const R most = select(behind, min(out, R(0)), R(0));
+  for (int k = 0; k < gate.outline->count; ++k)
+    leaves = leaves | (outside_of(gate.outline->edges[k], local.x, local.y) > most);
+  return (within & leaves) | ((!within) & other);
+}
+
+/// All planes at which the nearest feature changes.
+template <class R, class Gate>
+void offer_borders(FirstMeeting<R>& first, const Gate& gate, const LaneOutlineFoot<R>& foot,
+                   typename R::Mask may, const LocalPath<R>& path) {
+  const auto within = may & (foot.within > R(0)), beside = may & !(foot.within > R(0));
+  const auto along = foot.along.height(path), out = foot.out.height(path);
+  first.offer(beside, along);
+  first.offer(beside, along + -foot.size);
+  first.offer(may, out + -foot.beyond);
+  if (!any(within)) return;
+  first.offer(within, path.z);
+  const auto behind = within & (foot.behind > R(0)), over = within & !behind;
+  for (int k = 0; k < gate.outline->count; ++k) {
+    const auto height = LaneLine<R>::outside(gate.outline->edges[k]).height(path);
+    first.offer(over, height);
+    first.offer(behind, height - out);
+  }
+}
+
+/// Where, straight on but for how the way turns at first, the nearest feature changes or the
+/// distance to it passes the reach.
+/// @param gate  has besides `reach2`
+/// @param way   direction, in local coordinates like `local`
+/// @param turn  its rate of change, in the same
+template <class R, class Gate>
+[[nodiscard]] R until_other_foot(const Gate& gate, const LaneOutlineFoot<R>& foot, Vec3<R> local,
+                                 Vec3<R> way, Vec3<R> turn) {
+  FirstPlane<R> first;
+  const auto within = foot.within > R(0), behind = foot.behind > R(0);
+  const R speed = foot.along.rate(way), place = foot.along.height(local);
+  first.offer(select(within, R(0), foot.to_end(place, speed)), speed, foot.along.rate(turn));
+  const R out = foot.out.height(local), out_rate = foot.out.rate(way),
+          out_turn = foot.out.rate(turn);
+  first.offer(out - foot.beyond, out_rate, out_turn);
+  if (any(within)) {
+    // Over the polygon all edges may be next; behind it those that are as near as the nearest.
+    const auto also = [&](R its, R of_nearest) { return its - select(behind, of_nearest, R(0)); };
+    FirstPlane<R> inner = first;
+    inner.offer(local.z, way.z, turn.z);
+    for (int k = 0; k < gate.outline->count; ++k) {
+      const auto edge = LaneLine<R>::outside(gate.outline->edges[k]);
+      inner.offer(also(edge.height(local), out), also(edge.rate(way), out_rate),
+                  also(edge.rate(turn), out_turn));
+    }
+    first.take(within, inner);
+  }
+  const Vec3<R> from{local.x - foot.x(local), local.y - foot.y(local), local.z};
+  const Vec3<R> rate{way.x - foot.speed_x(way), way.y - foot.speed_y(way), way.z};
+  const R outside = dot(from, from) - R(gate.reach2);
+  return min(first.along_the_curve(), until_sphere(-dot(from, rate), outside, dot(rate, rate)));
+}
+
+}  // namespace portalens
