@@ -201,6 +201,16 @@ TEST(LanesThroughPolygons, TakeRectanglesAndOthersTogether) {
   expect_as_scalar(space, photons_from_all_sides(scaled(2500)), false);
 }
 
+/// Where a float puts it may be a little behind the portal that it comes from.
+TEST(LanesThroughPolygons, LeaveAFrontWhoseBackIsASurfaceWithoutMeetingThat) {
+  for (const Corners& corners : {triangle, rectangle}) {
+    std::vector<Portal> portals = pair_of(corners, plane({-3, 1.6, -2}, 0.3, 0.2, 0.1),
+                                          plane({3.5, 1.9, -3}, -0.5, -0.1, -0.2));
+    for (Portal& portal : portals) portal.back_material = 0;
+    expect_as_scalar(space_of("none", 0, portals), photons_from_all_sides(scaled(2500)), false);
+  }
+}
+
 TEST(LanesThroughPolygons, LeaveManyEdgesToTheScalarEngine) {
   const Frame a = plane({-3, 1.6, -2}, 0.3, 0.2), b = plane({3.5, 1.9, -3}, -0.5, -0.1);
   EXPECT_TRUE(space_of("closest-point", 1, pair_of(regular(most_lane_edges), a, b)).lanes);
