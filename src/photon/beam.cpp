@@ -102,11 +102,15 @@ BeamGuard::BeamGuard(const Space& space) : space_(&space) {
   }
   const auto portals = space.portals.portals();
   for (std::uint32_t i = 0; i < portals.size(); ++i) {
-    Box box;
-    for (const Vec3d& vertex : portals[i].vertices) box.add(vertex);
-    const Shape* face = nullptr;
-    if (portals[i].vertices.size() <= 4) face = &faces_.emplace_back(Quad(portals[i].vertices));
-    add(face, box, Met::portal_back, i);
+    // In pieces of four corners, or three.
+    const std::vector<Vec3d>& corners = portals[i].vertices;
+    for (std::size_t k = 1; k + 1 < corners.size(); k += 2) {
+      const std::array<Vec3d, 4> piece = {corners[0], corners[k], corners[k + 1],
+                                          corners[std::min(k + 2, corners.size() - 1)]};
+      const std::size_t count = std::min<std::size_t>(4, corners.size() - k + 1);
+      const Quad face(std::span<const Vec3d>(piece).first(count));
+      add(&faces_.emplace_back(face), face.bounds(), Met::portal_back, i);
+    }
   }
   for (std::uint32_t i = 0; i < space.masses.size(); ++i) {
     const Mass& mass = space.masses[i];

@@ -147,6 +147,18 @@ TEST(BeamGuard, SeesAPortalOnTheWayOfAnyPhotonBetween) {
   });
 }
 
+TEST(BeamGuard, SeesAPortalOfSevenCornersOnTheWayOfAnyPhotonBetween) {
+  expect_seen([](Vec3d place, double size) {
+    const auto around = [&](Vec3d middle) {
+      std::vector<Vec3d> corners;
+      for (int i = 0; i < 7; ++i)
+        corners.push_back(middle + Vec3d{std::cos(0.9 * i), std::sin(0.9 * i), 0} * size);
+      return corners;
+    };
+    return space_of({}, {}, portal_pair(around(place), around({0, 40, 0})));
+  });
+}
+
 TEST(BeamGuard, LetsMostBeamsThrough) {
   const Space space = space_of();
   Random random(23);
