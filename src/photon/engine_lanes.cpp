@@ -10,6 +10,7 @@
 #include "photon/advance.h"
 #include "photon/radau.h"
 #include "photon/space.h"
+#include "photon/vicinity.h"
 
 namespace portalens {
 namespace {
@@ -25,6 +26,7 @@ class LaneDriver {
         step_(step),
         integrator_(Radau::from({space.physics.step, space.physics.tolerance})),
         scalar_(space, integrator_, coupling),
+        vicinity_(space.mass_tree),
         photons_(photons),
         arrivals_(arrivals),
         trails_(trails),
@@ -91,7 +93,7 @@ class LaneDriver {
     const bool whole = (whole_ >> lane & 1) != 0;
     const PathStart start = whole ? PathStart{photons_[photon_[lane]].departure} : starts_[lane];
     const Travel way{state, start.after(arrival.length - begun), arrival};
-    if (is_told(lane) && event == LaneEvent::horizon && object >= most_lane_masses)
+    if (is_told(lane) && event == LaneEvent::horizon && LanePlan::is_lone(object))
       note_passage(lane);
     if (is_told(lane)) note_place(lane, state);
     scalar_.resume(way);
@@ -118,7 +120,7 @@ class LaneDriver {
   /// Its way through the influence of a lone mass, which it has just left or ended in.
   void note_passage(int lane) {
     const auto object = static_cast<std::uint32_t>(lanes_.object[lane]);
-    const LoneMass& lone = plan_.lone.masses[object - most_lane_masses];
+    const LoneMass& lone = plan_.lone.masses[object - first_lone_object];
     Trail& trail = trails_[photon_[lane]];
     note_crossing(space_.masses[lone.mass], plan_.lone.tables[lone.table], state_of(lane),
                   lanes_.length[lane], lanes_.turning[lane], trail);
@@ -261,7 +263,9 @@ class LaneDriver {
     const Vec3d &x = photon.position, &t = photon.direction;
     if (!std::isfinite(t.x + t.y + t.z)) return false;
     if (begun_ && *begun_ == x) return true;
-    if (!is_finite(x) || horizon_around(space_.masses, space_.mass_tree.every(), x)) return false;
+    if (!is_finite(x)) return false;
+    vicinity_.cover(x, 0.0);
+    if (horizon_around(space_.masses, vicinity_.near(), x)) return false;
     begun_ = x;
     return true;
   }
@@ -271,6 +275,7 @@ class LaneDriver {
   LaneStep step_;
   Radau integrator_;
   Tracer<Radau, C> scalar_;
+  Vicinity vicinity_;  ///< of where photons begin
   std::span<const Photon> photons_;
   std::span<Arrival> arrivals_;
   std::span<Trail> trails_;  ///< of the first photons

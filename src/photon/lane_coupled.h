@@ -35,9 +35,14 @@ struct LaneCoupled {
   [[nodiscard]] R first_change(typename R::Mask which, const LanePath<R>& path, Vec3<R> end) const {
     return through.first_change(which, path, end);
   }
+  [[nodiscard]] int mass_count() const { return direct.mass_count(); }
+  [[nodiscard]] const LaneMass& mass(int i) const { return direct.mass(i); }
+  [[nodiscard]] static int object_of(int i) { return i; }
   [[nodiscard]] R distance2(int mass) const { return direct.distance2(mass); }
   [[nodiscard]] R ahead(int mass) const { return direct.ahead(mass); }
   static constexpr bool sees_borders_far_off = Through::sees_borders_far_off;
+  static constexpr bool may_lack_room = false;
+  static constexpr bool looks_back = false;
 
   [[nodiscard]] R boundary(Vec3<R> x, Vec3<R> t, Vec3<R> bend, R limit) const {
     const R least = direct.boundary(x, t, bend, limit);

@@ -31,7 +31,7 @@ class GatePlanner {
     for (std::uint32_t a = 0; a < portals.size(); ++a) {
       const double reach = coupling_.reach(a, depth);
       if (a == left_out || !(reach > 0.0)) continue;
-      if (scene_.gate_count == most_lane_gates) return false;
+      if (scene_.gate_count == most_lane_gates || masses_.size() > most_lane_masses) return false;
       const int index = scene_.gate_count++;
       fill(scene_.gates[index], portals[a], reach, parent, entered);
       if (scene_.outline_count > 0) scene_.gates[index].outline = &scene_.outlines[a];
@@ -81,24 +81,6 @@ class GatePlanner {
   const std::vector<std::uint32_t>& masses_;
   LaneScene& scene_;
 };
-
-/// A portal that acts as a mass does.
-[[nodiscard]] bool add_portal_masses(const Space& space, const PortalMassCoupling& coupling,
-                                     Vec3d center, LaneScene& scene) {
-  if (scene.mass_count + coupling.images().size() > most_lane_masses) return false;
-  for (const PortalMassCoupling::Image& image : coupling.images()) {
-    const double gm = gravitational_radius(image.gm, space.physics.c);
-    const auto influence = static_cast<float>(image.influence);
-    scene.masses[scene.mass_count++] = {narrow(image.center - center),
-                                        static_cast<float>(gm),
-                                        static_cast<float>(image.core2),
-                                        influence,
-                                        influence * influence,
-                                        -1.0f,
-                                        1.0f};
-  }
-  return true;
-}
 
 LaneFace face_of(const Portal& portal, Vec3d center, double reach) {
   const Rectangle rectangle = rectangle_of(portal);
@@ -195,6 +177,18 @@ void add_maps(const Space& space, const GravitonMapCoupling& coupling, LanePlan&
 
 }  // namespace
 
+void add_masses_of_portals(const Space& space, Vec3d center, std::vector<LaneMass>& masses) {
+  const auto* coupling = std::get_if<PortalMassCoupling>(&space.coupling);
+  if (!coupling) return;
+  for (const PortalMassCoupling::Image& image : coupling->images()) {
+    const double gm = gravitational_radius(image.gm, space.physics.c);
+    const auto influence = static_cast<float>(image.influence);
+    masses.push_back({narrow(image.center - center), static_cast<float>(gm),
+                      static_cast<float>(image.core2), influence, influence * influence, -1.0f,
+                      1.0f});
+  }
+}
+
 bool add_coupling(const Space& space, LanePlan& plan) {
   if (const auto* closest = std::get_if<ClosestPointCoupling>(&space.coupling))
     return GatePlanner(space, *closest, plan).plan();
@@ -203,9 +197,8 @@ bool add_coupling(const Space& space, LanePlan& plan) {
     return rectangles && (add_maps(space, *map, plan), true);
   if (const auto* shortest = std::get_if<ShortestPathCoupling>(&space.coupling))
     return rectangles && add_ways(space, *shortest, plan);
-  if (const auto* masses = std::get_if<PortalMassCoupling>(&space.coupling))
-    return add_portal_masses(space, *masses, plan.center, plan.scene);
-  return std::holds_alternative<NoCoupling>(space.coupling);
+  return std::holds_alternative<PortalMassCoupling>(space.coupling) ||
+         std::holds_alternative<NoCoupling>(space.coupling);
 }
 
 }  // namespace portalens

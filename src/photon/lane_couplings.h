@@ -6,6 +6,9 @@
 
 namespace portalens {
 
+/// Adds the portals that act as masses do.
+void add_masses_of_portals(const Space& space, Vec3d center, std::vector<LaneMass>& masses);
+
 /// Adds the coupling of a space to a plan that has its masses already.
 /// @return false where lanes can't do it
 /// @pre its portals are there, too

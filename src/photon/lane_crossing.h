@@ -94,7 +94,7 @@ class LaneCrossing {
             unit(out),
             select(here, found.length * select(falls, R(1), factor) * influence, none),
             select(here, found.turning * factor, none),
-            which_ + R(most_lane_masses),
+            which_ + R(first_lone_object),
             here & falls};
   }
 

@@ -3,19 +3,10 @@
 /// step's start stays frozen over it, as in `Field`.
 #pragma once
 
-#include "gravity/attraction.h"
-#include "math/multiply_add.h"
-#include "math/vec3.h"
-#include "photon/lane_rectangle.h"
+#include "photon/lane_pull.h"
 #include "photon/lane_scene.h"
 
 namespace portalens {
-
-template <class R>
-struct LaneBending {
-  Vec3<R> acceleration;
-  R stiffness, nearness;
-};
 
 /// The decisions of one step.
 /// @tparam Foot  the nearest feature of a portal: of a rectangle, or `LaneOutlineFoot`
@@ -48,6 +39,11 @@ struct LaneField {
     if (scene.gate_count > 0) decide_gates(multiply_add(t, ahead, x));
   }
 
+  /// The masses that may absorb within the step, each by its place among these; and what an event
+  /// calls it.
+  [[nodiscard]] int mass_count() const { return scene.mass_count; }
+  [[nodiscard]] const LaneMass& mass(int i) const { return scene.masses[i]; }
+  [[nodiscard]] static int object_of(int i) { return i; }
   /// Square of the distance of a mass from the step's start.
   [[nodiscard]] R distance2(int mass) const { return squares[mass]; }
   /// How far ahead of it the mass is.
@@ -58,12 +54,7 @@ struct LaneField {
     LaneBending<R> sum{{R(0), R(0), R(0)}, R(0), R(0)};
     for (int i = 0; i < scene.mass_count; ++i) {
       const LaneMass& mass = scene.masses[i];
-      const R core2(mass.core2), m2(mass.gm * mass.gm);
-      const R b2 = subtract_product(squares[i] + core2, along[i], along[i]);
-      const Source source = pull_of(squares[i] + core2, inside[i]);
-      sum.acceleration = multiply_add(spread<R>(mass.center) - x, source.pull, sum.acceleration);
-      add(sum, source, inside[i], path_weight(m2, max(b2, R(0))),
-          approach_weight(along[i] * source.inverse));
+      add_bending(sum, mass, spread<R>(mass.center) - x, squares[i], along[i], inside[i]);
     }
     if (scene.gate_count > 0) sum.acceleration += bending_of_gates(x, t, sum);
     return sum;
@@ -72,9 +63,8 @@ struct LaneField {
   [[nodiscard]] Vec3<R> acceleration(Vec3<R> x) const {
     Vec3<R> sum{R(0), R(0), R(0)};
     for (int i = 0; i < scene.mass_count; ++i) {
-      const Vec3<R> to_mass = spread<R>(scene.masses[i].center) - x;
-      const R d2 = dot(to_mass, to_mass) + R(scene.masses[i].core2);
-      sum = multiply_add(to_mass, pull_of(d2, inside[i]).pull, sum);
+      const LaneMass& mass = scene.masses[i];
+      add_pull(sum, mass, spread<R>(mass.center) - x, inside[i]);
     }
     if (scene.gate_count > 0) sum += through_gates(x, [](int, const Source&, R) {});
     return sum;
@@ -122,6 +112,10 @@ struct LaneField {
 
   /// Borders are found however far off they are: where nothing acts, straight flights end there.
   static constexpr bool sees_borders_far_off = true;
+  /// No lane has more masses about it than there is room for.
+  static constexpr bool may_lack_room = false;
+  /// Only what comes through gates can change sooner than `boundary` says.
+  static constexpr bool looks_back = false;
 
  private:
   void decide_gates(Vec3<R> anchor) {
@@ -155,15 +149,7 @@ struct LaneField {
             q.x * R(gate.by_x.z) + q.y * R(gate.by_y.z) + R(gate.offset.z)};
   }
 
-  struct Source {
-    R inverse, inverse2, pull;  ///< 1/d, 1/d² and m/d³
-  };
-
-  [[nodiscard]] static Source pull_of(R d2, R gm) {
-    const R inverse = inverse_sqrt(d2);
-    const R inverse2 = inverse * inverse;
-    return {inverse, inverse2, gm * inverse2 * inverse};
-  }
+  using Source = LanePull<R>;
 
   /// What comes through the gates depends on where the points of their faces are, not on where
   /// the photon is: steps are the longer the slower those move.
@@ -187,12 +173,6 @@ struct LaneField {
     });
   }
 
-  static void add(LaneBending<R>& sum, const Source& source, R gm, R weight, R approach) {
-    sum.stiffness = multiply_add(source.pull * source.inverse2, weight, sum.stiffness);
-    const R nearness = multiply_add(source.inverse2 * source.inverse2, approach, sum.nearness);
-    sum.nearness = select(gm > R(0), nearness, sum.nearness);
-  }
-
   /// What comes through the gates; `tell` hears of every mass seen through one.
   template <class Tell>
   [[nodiscard]] Vec3<R> through_gates(Vec3<R> x, const Tell& tell) const {
@@ -205,7 +185,8 @@ struct LaneField {
       ax[g] = ay[g] = az[g] = R(0);
       for (int i = 0; i < scene.mass_count; ++i) {
         const Vec3<R> to_mass = spread<R>(scene.gates[g].images[i]) - Vec3<R>{qx[g], qy[g], R(0)};
-        const Source source = pull_of(dot(to_mass, to_mass) + R(scene.masses[i].core2), seen[g][i]);
+        const Source source =
+            Source::of(dot(to_mass, to_mass) + R(scene.masses[i].core2), seen[g][i]);
         ax[g] = multiply_add(to_mass.x, source.pull, ax[g]);
         ay[g] = multiply_add(to_mass.y, source.pull, ay[g]);
         az[g] = multiply_add(to_mass.z, source.pull, az[g]);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <variant>
+#include <vector>
 
 #include "photon/lane_couplings.h"
 #include "photon/lane_shapes.h"
@@ -18,11 +20,12 @@ constexpr double longest_with_portals = 0.85;
 /// Floats can't keep a finer one.
 constexpr double finest_tolerance = 1e-5;
 
-/// The lone masses, and all others.
+/// The lone masses, and all others: of many masses, all are those.
 /// @return false if there is not room enough
 bool choose_masses(const Space& space, double graze, LanePlan& plan) {
-  if (space.masses.size() > most_lane_masses + most_lane_lone_masses) return false;
-  plan.lone = lone_masses(space, graze, most_lane_lone_masses);
+  if (space.masses.size() > most_lane_crowd) return false;
+  if (space.masses.size() <= most_lane_masses + most_lane_lone_masses)
+    plan.lone = lone_masses(space, graze, most_lane_lone_masses);
   auto next = plan.lone.masses.begin();
   for (std::uint32_t i = 0; i < space.masses.size(); ++i) {
     if (next != plan.lone.masses.end() && next->mass == i)
@@ -30,7 +33,7 @@ bool choose_masses(const Space& space, double graze, LanePlan& plan) {
     else
       plan.stepped.push_back(i);
   }
-  return plan.stepped.size() <= most_lane_masses;
+  return true;
 }
 
 void add_lone_masses(const Space& space, LanePlan& plan) {
@@ -50,18 +53,31 @@ void add_lone_masses(const Space& space, LanePlan& plan) {
   }
 }
 
-void add_masses(const Space& space, const LanePlan& plan, LaneScene& scene) {
-  for (const std::uint32_t i : plan.stepped) {
-    const Mass& mass = space.masses[i];
-    LaneMass& lane = scene.masses[scene.mass_count++];
-    lane.center = narrow(mass.center - plan.center);
-    lane.gm = static_cast<float>(gravitational_radius(mass.gm, space.physics.c));
-    lane.core2 = static_cast<float>(mass.core * mass.core);
-    lane.influence = static_cast<float>(mass.influence);
-    lane.influence2 = lane.influence * lane.influence;
-    lane.horizon = mass.has_horizon() ? static_cast<float>(mass.schwarzschild) : -1.0f;
-    lane.horizon2 = lane.horizon * lane.horizon;
+LaneMass lane_mass(const Mass& mass, Vec3d center, double c) {
+  LaneMass lane;
+  lane.center = narrow(mass.center - center);
+  lane.gm = static_cast<float>(gravitational_radius(mass.gm, c));
+  lane.core2 = static_cast<float>(mass.core * mass.core);
+  lane.influence = static_cast<float>(mass.influence);
+  lane.influence2 = lane.influence * lane.influence;
+  lane.horizon = mass.has_horizon() ? static_cast<float>(mass.schwarzschild) : -1.0f;
+  lane.horizon2 = lane.horizon * lane.horizon;
+  return lane;
+}
+
+/// What lanes step through: few masses in the scene, or a crowd.
+void add_masses(const Space& space, LanePlan& plan) {
+  std::vector<LaneMass> masses;
+  for (const std::uint32_t i : plan.stepped)
+    masses.push_back(lane_mass(space.masses[i], plan.center, space.physics.c));
+  add_masses_of_portals(space, plan.center, masses);
+  if (masses.size() > most_lane_masses) {
+    plan.crowd = CrowdGrid(std::move(masses));
+    plan.scene.crowd = plan.crowd.view();
+    return;
   }
+  plan.scene.mass_count = static_cast<int>(masses.size());
+  std::copy(masses.begin(), masses.end(), plan.scene.masses);
 }
 
 bool add_portals(const Space& space, Vec3d center, LaneScene& scene) {
@@ -184,17 +200,18 @@ std::unique_ptr<const LanePlan> plan_lanes(const Space& space) {
   plan->center = center_of(space);
   LaneScene& scene = plan->scene;
   scene.graze2 = static_cast<float>(graze * graze);
-  add_masses(space, *plan, scene);
+  add_masses(space, *plan);
   add_lone_masses(space, *plan);
   if (!add_portals(space, plan->center, scene)) return nullptr;
   if (!add_coupling(space, *plan)) return nullptr;
+  const bool looks_through = scene.gate_count + scene.map_count + scene.way_count > 0;
+  if (looks_through && scene.crowd.count > 0) return nullptr;
   add_surfaces(space, plan->center, scene);
 
   const Radau step = Radau::from({physics.step, physics.tolerance});
   scene.stiffness_weight = static_cast<float>(step.stiffness_weight);
-  const bool through_portals = scene.gate_count + scene.map_count + scene.way_count > 0;
   scene.nearness_weight = static_cast<float>(
-      step.nearness_weight / (through_portals ? std::pow(longest_with_portals, 4) : 1.0));
+      step.nearness_weight / (looks_through ? std::pow(longest_with_portals, 4) : 1.0));
   scene.overshoot = static_cast<float>(overshoot);
   scene.ahead = scene.overshoot;
   scene.farthest = static_cast<float>(2.0 * space.extent);

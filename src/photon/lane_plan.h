@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "math/vec3.h"
+#include "photon/crowd_grid.h"
 #include "photon/lane_scene.h"
 #include "photon/lone_masses.h"
 
@@ -20,7 +21,9 @@ struct LanePlan {
   Vec3d center;
   std::vector<float> map_nodes, map_cells;  ///< that `scene.maps` look up
   LoneMasses lone;                          ///< that `scene.lone` are
-  std::vector<std::uint32_t> stepped;       ///< the masses that `scene.masses` begin with
+  /// The masses that `scene.masses` begin with, or those of the crowd.
+  std::vector<std::uint32_t> stepped;
+  CrowdGrid crowd;  ///< that `scene.crowd` looks into
 
   LanePlan() = default;
   LanePlan(const LanePlan&) = delete;
@@ -28,15 +31,20 @@ struct LanePlan {
 
   /// The mass of the space that is the `object` of an event.
   [[nodiscard]] std::uint32_t mass_of(std::uint32_t object) const {
-    return object < most_lane_masses ? stepped[object]
-                                     : lone.masses[object - most_lane_masses].mass;
+    if (is_lone(object)) return lone.masses[object - first_lone_object].mass;
+    return stepped[object < first_lone_object ? object : object - first_crowd_object];
+  }
+  /// Whether that is one which is alone.
+  [[nodiscard]] static bool is_lone(std::uint32_t object) {
+    return object >= first_lone_object && object < first_crowd_object;
   }
 };
 
 /// Null where lanes can't do it: a fixed-step integrator, infinite influences, portals of
 /// more edges than `most_lane_edges`, `graviton-map` and `shortest-path` through any that is no
-/// rectangle, `shortest-path` through more than one portal, or more masses that are not alone,
-/// portals, chains or ways than the lanes have room for. The scalar engine does all of that.
+/// rectangle, `shortest-path` through more than one portal, or more masses, portals, chains or ways
+/// than the lanes have room for: of masses that are not alone `most_lane_masses` where a coupling
+/// looks at each through portals, else `most_lane_crowd`. The scalar engine does all of that.
 [[nodiscard]] std::unique_ptr<const LanePlan> plan_lanes(const Space& space);
 
 }  // namespace portalens

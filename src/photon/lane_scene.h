@@ -26,6 +26,8 @@ struct LaneMass {
   float horizon2;
 };
 
+inline constexpr int lane_count = 32;  ///< as many as `LaneStep` has bits
+
 inline constexpr int most_lane_masses = 8;
 /// Those that are crossed by table, besides.
 inline constexpr int most_lane_lone_masses = 128;
@@ -36,6 +38,27 @@ inline constexpr int most_lane_edges = 8;
 inline constexpr int most_lane_polygons = 48;
 inline constexpr int most_lane_spheres = 24;
 inline constexpr int most_lane_boxes = 24;
+
+inline constexpr int most_lane_crowd = 65536;
+/// Of a crowd, those that act on any lane of a pack.
+inline constexpr int most_lane_near = 2048;
+/// Larger crowds leave to the scalar engine the lanes on which more than that act.
+inline constexpr int most_lane_own = 63;
+
+/// More masses than `most_lane_masses`, and where they act or absorb: a grid of cubes, each with
+/// the balls that meet it.
+struct LaneCrowd {
+  int count;  ///< of the masses; 0 where there is no crowd
+  const LaneMass* masses;
+  int cells_x, cells_y, cells_z;
+  LaneVec low;
+  float size, per_size;         ///< of a cube, and 1 over that
+  const std::uint32_t* begins;  ///< of each cube's balls, x fastest, then y; and one end more
+  /// The balls, cube by cube: the middle, the square of the radius (of the influence, or of a
+  /// larger horizon), and which mass it is. There are `lane_count` more that count for nothing.
+  const float *x, *y, *z, *reach2;
+  const std::uint32_t* which;
+};
 
 /// A mass that is alone in its influence.
 struct LaneLone {
@@ -157,6 +180,7 @@ struct LaneScene {
   float flight_limit;  ///< floats are too coarse for a flight that begins further out
   float max_length, max_turning, max_steps;
   LaneMass masses[most_lane_masses];
+  LaneCrowd crowd;  ///< then `masses` are none
   LaneGate gates[most_lane_gates];
   LaneMap maps[most_lane_portals];
   LaneEntrance entrances[most_lane_portals];
@@ -170,7 +194,8 @@ struct LaneScene {
   LaneLone lone[most_lane_lone_masses];
 };
 
-inline constexpr int lane_count = 32;  ///< as many as `LaneStep` has bits
+inline constexpr int first_lone_object = most_lane_masses;
+inline constexpr int first_crowd_object = first_lone_object + most_lane_lone_masses;
 
 /// What a lane's step ended in.
 enum class LaneEvent : std::int32_t {
@@ -178,7 +203,8 @@ enum class LaneEvent : std::int32_t {
   escape,   ///< nothing acts here and nothing lies ahead (the step was not taken)
   hit,      ///< a surface: `object` is the polygon's or sphere's shape
   portal,   ///< a portal's front or back: `object` is the portal
-  horizon,  ///< `object` is the mass; `most_lane_masses` and on are the lone ones
+  horizon,  ///< `object` is the mass; from `first_lone_object` a lone one, from
+            ///< `first_crowd_object` one of the crowd
   cross,    ///< crossed the influence of a lone mass and goes on: `object` as for `horizon`
   consult,  ///< something may be near that lanes can't judge (the step was not taken)
   limit,    ///< too many steps, too long, turned too far, or no number any more

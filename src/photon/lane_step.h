@@ -5,6 +5,7 @@
 #include "math/multiply_add.h"
 #include "photon/lane_coupled.h"
 #include "photon/lane_crossing.h"
+#include "photon/lane_crowd.h"
 #include "photon/lane_field.h"
 #include "photon/lane_graviton_map.h"
 #include "photon/lane_outline.h"
@@ -77,6 +78,8 @@ class LaneStepper {
     R clear = read(lanes_.clear) - h;
     find_boxes(path, end, clear, doubtful);
     if (has_lone) doubtful = select(lone.inside | (lone.enters & may_end_within()), R(1), doubtful);
+
+    if constexpr (F::may_lack_room) doubtful = select(field.lacks_room, R(1), doubtful);
 
     const Mask consults = live & (doubtful > R(0));
     find_change(path, end, field, live & !consults, found);
@@ -171,7 +174,7 @@ class LaneStepper {
   /// Ends the step where the form of the field changes, if `boundary` has not foreseen it.
   void find_change(const LanePath<R>& path, const StateOf<R>& end, const F& field, Mask which,
                    LaneFinding<R>& found) const {
-    if (scene_.gate_count + scene_.map_count == 0) return;
+    if (!F::looks_back && scene_.gate_count + scene_.map_count == 0) return;
     const R over(scene_.overshoot);
     // What changes just before the end has been foreseen.
     const V before =
@@ -182,8 +185,8 @@ class LaneStepper {
 
   void find_horizons(const LanePath<R>& path, const StateOf<R>& end, const F& field,
                      LaneFinding<R>& found) const {
-    for (int i = 0; i < scene_.mass_count; ++i) {
-      const LaneMass& mass = scene_.masses[i];
+    for (int i = 0; i < field.mass_count(); ++i) {
+      const LaneMass& mass = field.mass(i);
       if (mass.horizon < 0.0f) continue;
       // Straight on, as far as it may stray from that.
       const R ahead = field.ahead(i), distance2 = field.distance2(i);
@@ -207,7 +210,7 @@ class LaneStepper {
       if (!any(falls)) continue;
       const R guess = outside.surface_from(inside, R(-1));
       found.offer(falls, crossing(falls, outside, guess, R(1), R(0), inside), LaneEvent::horizon,
-                  R(i));
+                  R(field.object_of(i)));
     }
   }
 
@@ -340,6 +343,7 @@ std::uint32_t step_lanes(const LaneScene& scene, Lanes& lanes) {
     return step_lanes_in<R, LaneCoupled<R, LaneShortestPath<R>>>(scene, lanes);
   if (scene.gate_count > 0 && scene.outline_count > 0)
     return step_lanes_in<R, LaneField<R, LaneOutlineFoot<R>>>(scene, lanes);
+  if (scene.crowd.count > 0) return step_lanes_in<R, LaneCrowdField<R>>(scene, lanes);
   return step_lanes_in<R, LaneField<R>>(scene, lanes);
 }
 

@@ -1,0 +1,113 @@
+/// \file
+/// The field over lanes of more masses than `LaneField` holds: each step asks those that act on a
+/// lane of its pack, which a grid tells.
+#pragma once
+
+#include "photon/lane_crowd_grid.h"
+#include "photon/lane_path.h"
+#include "photon/lane_pull.h"
+
+namespace portalens {
+
+/// The decisions of one step. A mass that a lane does not list adds exactly nothing to what is told
+/// of that lane, so nothing depends on who travels beside it.
+template <class R>
+struct LaneCrowdField {
+  const LaneScene& scene;
+  const LaneCrowd& crowd;
+  int count = 0;                         ///< of the masses that act or absorb where a lane is
+  std::uint32_t listed[most_lane_near];  ///< ascending
+  R inside[most_lane_near];              ///< G M / c² where the influence holds, else 0
+  /// From the step's start, as in `LaneField`; a mass that a lane does not list is far off.
+  R squares[most_lane_near], along[most_lane_near];
+  typename R::Mask acting, lacks_room;
+  LaneBall<R> next;  ///< that the ways come to, where they come to one
+
+  explicit LaneCrowdField(const LaneScene& the_scene)
+      : scene(the_scene), crowd(the_scene.crowd), acting(R(1) < R(0)), lacks_room(R(1) < R(0)) {}
+
+  void decide(Vec3<R> x, Vec3<R> t) {
+    LaneMarks<R> marks(crowd.count);
+    lacks_room = LaneCrowdGrid<R>(crowd, x, t, scene.ahead).mark(marks);
+    const R far(1e4f * scene.radius * scene.radius);
+    marks.for_each([&](std::uint32_t index) {
+      const LaneMass& mass = crowd.masses[index];
+      const Vec3<R> to_mass = spread<R>(mass.center) - x;
+      const R square = dot(to_mass, to_mass), towards = dot(to_mass, t);
+      const R begun = subtract_product(square, R(2) * R(scene.ahead), towards);
+      const auto within = begun < R(mass.influence2);
+      const auto here = mass.horizon > mass.influence ? begun < R(mass.horizon2) : within;
+      listed[count] = index;
+      squares[count] = select(here, square, far);
+      along[count] = towards;
+      inside[count] = select(within, R(mass.gm), R(0));
+      acting = acting | within;
+      ++count;
+    });
+  }
+
+  [[nodiscard]] int mass_count() const { return count; }
+  [[nodiscard]] const LaneMass& mass(int i) const { return crowd.masses[listed[i]]; }
+  [[nodiscard]] int object_of(int i) const {
+    return first_crowd_object + static_cast<int>(listed[i]);
+  }
+  [[nodiscard]] R distance2(int mass) const { return squares[mass]; }
+  [[nodiscard]] R ahead(int mass) const { return along[mass]; }
+
+  [[nodiscard]] LaneBending<R> bending(Vec3<R> x, Vec3<R>) const {
+    LaneBending<R> sum{{R(0), R(0), R(0)}, R(0), R(0)};
+    for (int i = 0; i < count; ++i)
+      add_bending(sum, mass(i), spread<R>(mass(i).center) - x, squares[i], along[i], inside[i]);
+    return sum;
+  }
+
+  [[nodiscard]] Vec3<R> acceleration(Vec3<R> x) const {
+    Vec3<R> sum{R(0), R(0), R(0)};
+    for (int i = 0; i < count; ++i)
+      add_pull(sum, mass(i), spread<R>(mass(i).center) - x, inside[i]);
+    return sum;
+  }
+
+  /// As of `LaneField`; what acts and what absorbs is left or entered there.
+  [[nodiscard]] R boundary(Vec3<R> x, Vec3<R> t, Vec3<R> bend, R limit) {
+    const R bend2 = dot(bend, bend);
+    R least(never);
+    for (int i = 0; i < count; ++i) {
+      const auto within = inside[i] > R(0);
+      const R inward = dot(spread<R>(mass(i).center) - x, bend);
+      const R leaves = until_sphere_on_curve(within, along[i], squares[i] - R(mass(i).influence2),
+                                             inward, bend2);
+      least = min(least, select(within, leaves, R(never)));
+    }
+    const LaneCrowdGrid<R> grid(crowd, x, t, scene.ahead);
+    return min(least, grid.first_entry(bend, min(least, limit), next));
+  }
+
+  /// Where the path leaves or enters a ball sooner than `boundary` has foreseen.
+  [[nodiscard]] R first_change(typename R::Mask which, const LanePath<R>& path, Vec3<R> end) const {
+    R first(2);
+    const auto offer = [&](typename R::Mask changed, Vec3<R> center, R radius2, R side) {
+      const LaneDistance<R> outside{path, center, radius2};
+      const R guess = outside.surface_from(select(side > R(0), R(1), R(0)), -side);
+      first =
+          select(changed, min(first, crossing(changed, outside, guess, side, R(0), R(1))), first);
+    };
+    for (int i = 0; i < count; ++i) {
+      const Vec3<R> center = spread<R>(mass(i).center), from = end - center;
+      const R radius2(mass(i).influence2);
+      const auto left = which & (inside[i] > R(0)) & (dot(from, from) > radius2);
+      if (any(left)) offer(left, center, radius2, R(-1));
+    }
+    const Vec3<R> from = end - next.center;
+    const auto entered = which & (dot(from, from) < next.radius2);
+    if (any(entered)) offer(entered, next.center, next.radius2, R(1));
+    return first;
+  }
+
+  /// As of `LaneField`.
+  static constexpr bool sees_borders_far_off = true;
+  static constexpr bool may_lack_room = true;
+  static constexpr bool looks_back = true;
+};
+
+}  // namespace portalens

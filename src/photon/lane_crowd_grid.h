@@ -1,0 +1,290 @@
+/// \file
+/// Over lanes: which balls of a crowd (photon/lane_scene.h) a place lies in, and which a way comes
+/// to next. Lane by lane through the grid, as lanes are apart; many balls of a cube at a time.
+#pragma once
+
+#include <cstdint>
+
+#include "photon/lane_border.h"
+#include "photon/lane_rectangle.h"
+#include "photon/lane_scene.h"
+
+namespace portalens {
+
+/// 0, 1, 2…: as many as the widest pack has lanes.
+inline constexpr float natural_numbers[] = {0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10,
+                                            11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21,
+                                            22, 23, 24, 25, 26, 27, 28, 29, 30, 31};
+
+/// A set of masses.
+template <class R>
+class LaneMarks {
+ public:
+  /// Empty.
+  explicit LaneMarks(int masses) : groups_((masses + 4095) / 4096) {
+    for (int g = 0; g < groups_; ++g) used_[g] = 0;
+  }
+  void add(std::uint32_t mass) {
+    const std::uint32_t word = mass / 64, group = word / 64;
+    const std::uint64_t bit = std::uint64_t{1} << (word % 64);
+    const std::uint64_t old = (used_[group] & bit) != 0 ? words_[word] : 0;
+    words_[word] = old | std::uint64_t{1} << (mass % 64);
+    used_[group] |= bit;
+  }
+  /// Calls back with each, ascending.
+  template <class Callback>
+  void for_each(const Callback& callback) const {
+    for (int g = 0; g < groups_; ++g)
+      for (std::uint64_t used = used_[g]; used != 0; used &= used - 1) {
+        const auto word = static_cast<std::uint32_t>(64 * g + __builtin_ctzll(used));
+        for (std::uint64_t rest = words_[word]; rest != 0; rest &= rest - 1)
+          callback(64 * word + static_cast<std::uint32_t>(__builtin_ctzll(rest)));
+      }
+  }
+
+ private:
+  int groups_;
+  std::uint64_t used_[most_lane_crowd / 4096];  ///< a bit for each word that holds any
+  std::uint64_t words_[most_lane_crowd / 64];   ///< of no meaning where its bit is not set
+};
+
+/// One of the balls for each lane; of radius 0 where there is none.
+template <class R>
+struct LaneBall {
+  Vec3<R> center;
+  R radius2;
+};
+
+/// Ways through the grid.
+template <class R>
+class LaneCrowdGrid {
+ public:
+  using Mask = typename R::Mask;
+  using V = Vec3<R>;
+
+  /// @param ahead  whether they lie in a ball is decided that far ahead
+  LaneCrowdGrid(const LaneCrowd& crowd, V x, V t, float ahead) : crowd_(crowd), ahead_(ahead) {
+    x.x.store(at_[0]);
+    x.y.store(at_[1]);
+    x.z.store(at_[2]);
+    t.x.store(along_[0]);
+    t.y.store(along_[1]);
+    t.z.store(along_[2]);
+  }
+
+  /// Marks the masses in whose balls the places lie.
+  /// @return of which lanes not all are marked: those in too many
+  [[nodiscard]] Mask mark(LaneMarks<R>& marks) const {
+    const int most = crowd_.count > most_lane_near ? most_lane_own : most_lane_near;
+    alignas(64) float lacking[R::lanes];
+    for (int lane = 0; lane < R::lanes; ++lane) {
+      lacking[lane] = mark_about(lane, most, marks) ? 0.0f : 1.0f;
+    }
+    return R::load(lacking) > R(0);
+  }
+
+  /// How far it is along the ways x + t s + bend s²/2 to the next ball that they don't lie in, or
+  /// `never`; what is farther than `limit` need not be found.
+  [[nodiscard]] R first_entry(V bend, R limit, LaneBall<R>& next) const {
+    alignas(64) float bent[3][R::lanes], chords[3][R::lanes], found[R::lanes], ball[4][R::lanes];
+    bend.x.store(bent[0]);
+    bend.y.store(bent[1]);
+    bend.z.store(bent[2]);
+    const R half = R(0.5) * limit;
+    multiply_add(bend.x, half, R::load(along_[0])).store(chords[0]);
+    multiply_add(bend.y, half, R::load(along_[1])).store(chords[1]);
+    multiply_add(bend.z, half, R::load(along_[2])).store(chords[2]);
+    limit.store(found);
+    for (int lane = 0; lane < R::lanes; ++lane) {
+      const V bend_here{R(bent[0][lane]), R(bent[1][lane]), R(bent[2][lane])};
+      const float chord[3] = {chords[0][lane], chords[1][lane], chords[2][lane]};
+      const Entry entry = first_on(lane, bend_here, chord, found[lane]);
+      found[lane] = entry.at;
+      const bool none = entry.ball == no_ball;
+      ball[0][lane] = none ? 0.0f : crowd_.x[entry.ball];
+      ball[1][lane] = none ? 0.0f : crowd_.y[entry.ball];
+      ball[2][lane] = none ? 0.0f : crowd_.z[entry.ball];
+      ball[3][lane] = none ? 0.0f : crowd_.reach2[entry.ball];
+    }
+    next = {{R::load(ball[0]), R::load(ball[1]), R::load(ball[2])}, R::load(ball[3])};
+    return R::load(found);
+  }
+
+ private:
+  /// A lane's way, in all lanes.
+  struct Way {
+    V x, t;
+    Way(const LaneCrowdGrid& grid, int lane)
+        : x{R(grid.at_[0][lane]), R(grid.at_[1][lane]), R(grid.at_[2][lane])},
+          t{R(grid.along_[0][lane]), R(grid.along_[1][lane]), R(grid.along_[2][lane])} {}
+  };
+
+  /// Balls of a cube, one a lane, as seen from a way: those from the `first` on.
+  struct Balls {
+    V to_middle;
+    R square, towards, reach2;
+    Mask there;   ///< before the end of the cube's
+    Mask within;  ///< the way begins in them
+
+    Balls(const LaneCrowdGrid& grid, const Way& way, std::uint32_t first, std::uint32_t end)
+        : to_middle(V{R::load(grid.crowd_.x + first), R::load(grid.crowd_.y + first),
+                      R::load(grid.crowd_.z + first)} -
+                    way.x),
+          square(dot(to_middle, to_middle)),
+          towards(dot(to_middle, way.t)),
+          reach2(R::load(grid.crowd_.reach2 + first)),
+          there(R::load(natural_numbers) < R(static_cast<float>(end - first))),
+          within(there & (subtract_product(square, R(2) * R(grid.ahead_), towards) < reach2)) {}
+  };
+
+  /// The cubes along a straight way from where a lane is.
+  class Walk {
+   public:
+    /// @param chord  its direction
+    Walk(const LaneCrowdGrid& grid, int lane, const float* chord) : crowd_(grid.crowd_) {
+      const float low[3] = {crowd_.low.x, crowd_.low.y, crowd_.low.z};
+      const int counts[3] = {crowd_.cells_x, crowd_.cells_y, crowd_.cells_z};
+      float enters = 0.0f, leaves = never;
+      for (int a = 0; a < 3; ++a) {
+        const float t = chord[a];
+        Axis& axis = axes_[a];
+        axis = {counts[a], 0, t < 0.0f ? -1 : 1, low[a] - grid.at_[a][lane], 0.0f, 0.0f};
+        axis.per_way = 1.0f / (t < 0.0f ? (t < -1e-20f ? t : -1e-20f) : (t > 1e-20f ? t : 1e-20f));
+        const float one = axis.low * axis.per_way;
+        const float other = axis.border(counts[a], crowd_.size) * axis.per_way;
+        const float near = one < other ? one : other, far = one < other ? other : one;
+        enters = near > enters ? near : enters;
+        leaves = far < leaves ? far : leaves;
+      }
+      goes_on_ = enters <= leaves;
+      if (!goes_on_) return;
+      for (int a = 0; a < 3; ++a) {
+        Axis& axis = axes_[a];
+        const float along = (chord[a] * enters - axis.low) * crowd_.per_size;
+        const auto last = static_cast<float>(axis.count - 1);
+        axis.at = static_cast<int>(along > 0.0f ? (along < last ? along : last) : 0.0f);
+        axis.look_ahead(crowd_.size);
+      }
+    }
+    [[nodiscard]] bool goes_on() const { return goes_on_; }
+    [[nodiscard]] int cell() const {
+      return (axes_[2].at * axes_[1].count + axes_[1].at) * axes_[0].count + axes_[0].at;
+    }
+    /// How far along the way the cube ends.
+    [[nodiscard]] float end() const {
+      const float end = axes_[0].next < axes_[1].next ? axes_[0].next : axes_[1].next;
+      return end < axes_[2].next ? end : axes_[2].next;
+    }
+    void go_on() {
+      const float s = end();
+      Axis& axis = s == axes_[0].next ? axes_[0] : (s == axes_[1].next ? axes_[1] : axes_[2]);
+      axis.at += axis.turn;
+      goes_on_ = axis.at >= 0 && axis.at < axis.count;
+      axis.look_ahead(crowd_.size);
+    }
+
+   private:
+    struct Axis {
+      int count, at, turn;  ///< of the cubes, which one, and which way on
+      float low;            ///< from the start of the way
+      float per_way;        ///< length of way for a length along the axis
+      float next;           ///< how far along the way the cube ends on this axis
+
+      [[nodiscard]] float border(int index, float size) const {
+        return low + static_cast<float>(index) * size;
+      }
+      void look_ahead(float size) { next = border(turn > 0 ? at + 1 : at, size) * per_way; }
+    };
+
+    const LaneCrowd& crowd_;
+    Axis axes_[3];
+    bool goes_on_;
+  };
+
+  /// The cube that the place lies in, or -1.
+  [[nodiscard]] int cell_about(int lane) const {
+    const float per_size = crowd_.per_size;
+    const float x = (at_[0][lane] - crowd_.low.x) * per_size;
+    const float y = (at_[1][lane] - crowd_.low.y) * per_size;
+    const float z = (at_[2][lane] - crowd_.low.z) * per_size;
+    const bool within =
+        x >= 0.0f && y >= 0.0f && z >= 0.0f && x < static_cast<float>(crowd_.cells_x) &&
+        y < static_cast<float>(crowd_.cells_y) && z < static_cast<float>(crowd_.cells_z);
+    if (!within) return -1;
+    return (static_cast<int>(z) * crowd_.cells_y + static_cast<int>(y)) * crowd_.cells_x +
+           static_cast<int>(x);
+  }
+
+  /// @return false if there are more than `most`
+  [[nodiscard]] bool mark_about(int lane, int most, LaneMarks<R>& marks) const {
+    const int cell = cell_about(lane);
+    if (cell < 0) return true;
+    const Way way(*this, lane);
+    const std::uint32_t end = crowd_.begins[cell + 1];
+    int own = 0;
+    for (std::uint32_t first = crowd_.begins[cell]; first < end; first += R::lanes) {
+      const Mask within = Balls(*this, way, first, end).within;
+      if (!any(within)) continue;
+      for (std::uint32_t rest = bits(within); rest != 0; rest &= rest - 1) {
+        if (++own > most) return false;
+        marks.add(crowd_.which[first + static_cast<std::uint32_t>(__builtin_ctz(rest))]);
+      }
+    }
+    return true;
+  }
+
+  static constexpr std::uint32_t no_ball = ~std::uint32_t{0};
+  struct Entry {
+    float at;
+    std::uint32_t ball;
+  };
+
+  /// Of one lane; `never` where nothing comes before the limit.
+  [[nodiscard]] Entry first_on(int lane, V bend, const float* chord, float limit) const {
+    const Way way(*this, lane);
+    const R most(limit);
+    Entry least{limit, no_ball};
+    for (Walk walk(*this, lane, chord); walk.goes_on(); walk.go_on()) {
+      const int cell = walk.cell();
+      const std::uint32_t end = crowd_.begins[cell + 1];
+      for (std::uint32_t first = crowd_.begins[cell]; first < end; first += R::lanes) {
+        const Balls balls(*this, way, first, end);
+        // The place of the parabola that is nearest to the middle, or nearly.
+        const R near = min(max(balls.towards, R(0)), most);
+        const V bent = bend * near, direction = way.t + bent;
+        const V from = balls.to_middle - (way.t + bent * R(0.5)) * near;
+        const R inside = balls.reach2 - dot(from, from);
+        const Mask meets = balls.there & !balls.within & (balls.towards > R(0)) & (inside > R(0));
+        if (!any(meets)) continue;
+        // Straight on from the start if that meets it, else straight back from there; then a step
+        // of Newton's method. A guess that is too late is mended after the step.
+        const R off = balls.square - balls.reach2;
+        const R straight = balls.towards * balls.towards - off;
+        const R along = dot(from, direction), speed2 = dot(direction, direction);
+        const R root =
+            sqrt(max(select(straight > R(0), straight, along * along + inside * speed2), R(0)));
+        const R guess =
+            select(straight > R(0), balls.towards - root, near + (along - root) / speed2);
+        const V there = balls.to_middle - (way.t + bend * (R(0.5) * guess)) * guess;
+        const R slope = dot(there, way.t + bend * guess);
+        const R better = guess + (dot(there, there) - balls.reach2) / (slope + slope);
+        alignas(64) float found[R::lanes];
+        select((better > R(0)) & (better <= near), better, near * R(0.5)).store(found);
+        for (std::uint32_t rest = bits(meets); rest != 0; rest &= rest - 1) {
+          const int k = __builtin_ctz(rest);
+          if (found[k] < least.at) least = {found[k], first + static_cast<std::uint32_t>(k)};
+        }
+      }
+      if (!(walk.end() < least.at)) break;
+    }
+    if (least.ball == no_ball) least.at = never;
+    return least;
+  }
+
+  const LaneCrowd& crowd_;
+  float ahead_;
+  alignas(64) float at_[3][R::lanes];
+  alignas(64) float along_[3][R::lanes];
+};
+
+}  // namespace portalens
