@@ -194,11 +194,25 @@ void BeamGuard::mark_ends(std::span<Piece> beam) {
   }
 }
 
-bool BeamGuard::met(const Obstacle& obstacle, const Piece& piece, const Trail& trail,
-                    const Arrival& end) const {
+/// On a plane the ways arrive from as far as they come slanting to it, if they have sunk for as
+/// long: who skims over it first may meet it there.
+bool BeamGuard::sinks(const Obstacle& obstacle, const Piece& piece, const Piece& final) {
+  const auto* quad = obstacle.shape ? std::get_if<Quad>(obstacle.shape) : nullptr;
+  if (!quad) return false;
+  const auto slope = [&](const Piece& part) {
+    return dot(part.to - part.from, quad->normal()) / length(part.to - part.from);
+  };
+  const double arriving = slope(final);
+  return double{final.ended - piece.ended} * std::fabs(arriving) <= 2.0 * final.to_radius &&
+         slope(piece) * arriving >= 0.5 * arriving * arriving;
+}
+
+bool BeamGuard::met(const Obstacle& obstacle, const Piece& piece, const Piece& final,
+                    const Trail& trail, const Arrival& end) const {
   const bool last = piece.stretch == trail.crossings();
   if (obstacle.kind != Met::portal_back)
-    return piece.arrives && last && end.met == obstacle.kind && end.object == obstacle.index;
+    return last && end.met == obstacle.kind && end.object == obstacle.index &&
+           (piece.arrives || sinks(obstacle, piece, final));
   const auto portals = space_->portals.portals();
   return (piece.arrives && !last && trail.portal_after(piece.stretch) == obstacle.index) ||
          (piece.leaves && piece.stretch > 0 &&
@@ -261,7 +275,7 @@ bool BeamGuard::clear(const std::array<const Trail*, 4>& trails, const Arrival& 
   if (along_border(beam)) return false;
   for (const Obstacle& obstacle : obstacles_)
     for (const Piece& piece : beam)
-      if (!apart(piece, obstacle) && !met(obstacle, piece, *trails[0], end) &&
+      if (!apart(piece, obstacle) && !met(obstacle, piece, beam.back(), *trails[0], end) &&
           touches(piece, obstacle, most_halvings))
         return false;
   return true;

@@ -62,8 +62,10 @@ class BeamGuard {
   void add(const Shape* shape, const Box& box, Met kind, std::uint32_t index);
   [[nodiscard]] static std::vector<Piece> beam_of(const std::array<const Trail*, 4>& trails);
   static void mark_ends(std::span<Piece> beam);
-  [[nodiscard]] bool met(const Obstacle& obstacle, const Piece& piece, const Trail& trail,
-                         const Arrival& end) const;
+  [[nodiscard]] static bool sinks(const Obstacle& obstacle, const Piece& piece, const Piece& final);
+  /// @param final  the last piece of the beam
+  [[nodiscard]] bool met(const Obstacle& obstacle, const Piece& piece, const Piece& final,
+                         const Trail& trail, const Arrival& end) const;
   /// Whether the obstacle can't be touched, as their balls tell.
   [[nodiscard]] static bool apart(const Piece& piece, const Obstacle& obstacle) {
     const Vec3d between = piece.middle - obstacle.center;
