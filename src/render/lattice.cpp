@@ -20,12 +20,12 @@ constexpr double first_node = 0.5 - coarse_spacing;
 
 /// Third differences of what guides find, pixels: those of a function that is a polynomial of the
 /// third degree but for hundredths of a pixel. What masses do by themselves is smooth between the
-/// borders that the guard looks for; gravity through portals bends sharply at more than those.
-/// Measured: cells of different size that are off by as much differ by that. In the smallest
-/// every fourth pixel has a guide of its own.
+/// borders that the guard looks for: with these, cells of each size are off by as much (of the
+/// smallest, every fourth pixel has a guide of its own). Gravity through portals bends sharply at
+/// more than those borders.
 double most_third_difference(const Space& space, int stride) {
-  const double smooth = std::holds_alternative<NoCoupling>(space.coupling) ? 5.0 : 0.5;
-  return smooth * (stride == coarse ? 0.7 : stride == 1 ? 1.8 : 0.9);
+  if (!std::holds_alternative<NoCoupling>(space.coupling)) return 0.5;
+  return stride == coarse ? 3.5 : stride == 1 ? 9.0 : 4.5;
 }
 
 /// As much of that where the guides lie aside: beyond the inner four a polynomial is worth less.
