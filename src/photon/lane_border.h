@@ -44,17 +44,21 @@ struct FirstPlane {
 /// When a straight way comes to a sphere for the next time, s > 0, or `never`. It starts `outside`
 /// (the square of its distance to the middle less that of the radius), `speed2` is the square of
 /// its speed, and `ahead` the middle's place along it times the speed.
+/// @param within  it counts as within the sphere, whatever rounding says close to it
 template <class R>
-[[nodiscard]] R until_sphere(R ahead, R outside, R speed2) {
+[[nodiscard]] R until_sphere(typename R::Mask within, R ahead, R outside, R speed2) {
   const R square = ahead * ahead - outside * speed2;
   const R root = sqrt(max(square, R(0)));
-  const R s = (ahead + select(outside < R(0), root, -root)) / speed2;
+  const R s = (ahead + select(within, root, -root)) / speed2;
   return select((square > R(0)) & (s > R(0)) & (speed2 > R(0)), s, R(never));
+}
+template <class R>
+[[nodiscard]] R until_sphere(R ahead, R outside, R speed2) {
+  return until_sphere(outside < R(0), ahead, outside, speed2);
 }
 
 /// The same for a way of speed 1 that bends, at right angles to its direction, by √`bend2`, and by
 /// `inward` over the distance towards the middle.
-/// @param within  it counts as within the sphere, whatever rounding says close to it
 template <class R>
 [[nodiscard]] R until_sphere_on_curve(typename R::Mask within, R ahead, R outside, R inward,
                                       R bend2) {

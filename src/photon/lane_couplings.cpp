@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "gravity/attraction.h"
+#include "gravity/portal_face.h"
 #include "photon/lane_shapes.h"
 #include "photon/space.h"
 
@@ -71,8 +72,28 @@ class GatePlanner {
     // Lone masses reach no portal.
     for (std::size_t i = 0; i < masses_.size(); ++i) {
       const Vec3d seen = beyond.to_local(space_.masses[masses_[i]].center);
-      gate.images[i] = narrow({-seen.x, seen.y, -seen.z});
+      const Vec3d image{-seen.x, seen.y, -seen.z};
+      gate.images[i] = narrow(image);
+      gate.fades[i] = ends_on(portal, frame.to_world(image), space_.masses[masses_[i]].influence);
+      scene_.fading = scene_.fading || gate.fades[i];
     }
+    gate.falls_short = false;
+    if (entered)
+      for (const Vec3d& from : space_.portals.portals()[entered->pair].vertices)
+        gate.falls_short = gate.falls_short || !(farthest(portal, from) < 0.9999 * reach);
+    scene_.fading = scene_.fading || gate.falls_short;
+  }
+
+  [[nodiscard]] static double farthest(const Portal& portal, Vec3d from) {
+    double distance = 0.0;
+    for (const Vec3d& vertex : portal.vertices)
+      distance = std::max(distance, length(vertex - from));
+    return distance;
+  }
+  /// Whether some of a portal is further than that from a place, and some nearer.
+  [[nodiscard]] static bool ends_on(const Portal& portal, Vec3d from, double influence) {
+    return PortalFace(portal).distance(from) < 1.0001 * influence &&
+           !(farthest(portal, from) < 0.9999 * influence);
   }
 
   const Space& space_;

@@ -89,7 +89,7 @@ struct LaneField {
       const Vec3<R> turn = to_axes(bend, gate.right, gate.up, gate.normal);
       least = min(least, until_other_foot(gate, feet[g], local, way, turn));
     }
-    return least;
+    return scene.fading ? min(least, until_faded(x, t)) : least;
   }
 
   /// Where within the step a gate's nearest point changes its feature: what `boundary` could not
@@ -107,6 +107,7 @@ struct LaneField {
       const auto changed = which & (reached[g] > R(0)) & has_other_foot(gate, feet[g], local);
       if (any(changed)) offer_borders(first, gate, feet[g], changed, seen_from(g, path));
     }
+    if (scene.fading) offer_faded(first, which, path, end);
     return first.share;
   }
 
@@ -139,6 +140,82 @@ struct LaneField {
     }
   }
 
+  /// Where on a straight way a mass begins or ceases to act through a gate, or a gate with a
+  /// parent.
+  [[nodiscard]] R until_faded(Vec3<R> x, Vec3<R> t) const {
+    R least(never);
+    R qx[most_lane_gates], qy[most_lane_gates], vx[most_lane_gates], vy[most_lane_gates];
+    for (int g = 0; g < scene.gate_count; ++g) {
+      const LaneGate& gate = scene.gates[g];
+      const Vec3<R> local = local_of(g, x, qx, qy), way = way_of(g, t, vx, vy);
+      qx[g] = feet[g].x(local);
+      qy[g] = feet[g].y(local);
+      vx[g] = feet[g].speed_x(way);
+      vy[g] = feet[g].speed_y(way);
+      const auto acts = reached[g] > R(0);
+      if (gate.falls_short) {
+        const Vec3<R> from{local.x - qx[g], local.y - qy[g], local.z};
+        const Vec3<R> rate{way.x - vx[g], way.y - vy[g], way.z};
+        const R ends =
+            until_sphere(acts, -dot(from, rate), dot(from, from) - R(gate.reach2), dot(rate, rate));
+        least = min(least, select(reached[gate.parent] > R(0), ends, R(never)));
+      }
+      const R speed2 = multiply_add(vx[g], vx[g], vy[g] * vy[g]);
+      for (int i = 0; i < scene.mass_count; ++i) {
+        if (!gate.fades[i]) continue;
+        const Vec3<R> d = spread<R>(gate.images[i]) - Vec3<R>{qx[g], qy[g], R(0)};
+        const R ends = until_sphere(seen[g][i] > R(0), multiply_add(d.x, vx[g], d.y * vy[g]),
+                                    dot(d, d) - R(scene.masses[i].influence2), speed2);
+        least = min(least, select(acts, ends, R(never)));
+      }
+    }
+    return least;
+  }
+
+  /// The same on a path, after the step.
+  void offer_faded(FirstMeeting<R>& first, typename R::Mask which, const LanePath<R>& path,
+                   Vec3<R> end) const {
+    R qx[most_lane_gates], qy[most_lane_gates];
+    for (int g = 0; g < scene.gate_count; ++g) {
+      const LaneGate& gate = scene.gates[g];
+      const Vec3<R> local = local_of(g, end, qx, qy);
+      qx[g] = feet[g].x(local);
+      qy[g] = feet[g].y(local);
+      const auto acts = which & (reached[g] > R(0));
+      if (gate.parent < 0 || gate.falls_short) {
+        const Vec3<R> from{local.x - qx[g], local.y - qy[g], local.z};
+        const auto near = dot(from, from) < R(gate.reach2);
+        const auto may = gate.parent < 0 ? which : which & (reached[gate.parent] > R(0));
+        const auto ends = may & ((near & !acts) | (acts & !near));
+        if (any(ends)) {
+          const LocalPath<R> seen_path = seen_from(g, path), q = feet[g].led_by(seen_path);
+          first.offer(ends, LaneSquare<R>{seen_path.x - q.x, seen_path.y - q.y, seen_path.z,
+                                          R(gate.reach2)});
+        }
+      }
+      for (int i = 0; i < scene.mass_count; ++i) {
+        if (!gate.fades[i]) continue;
+        const R influence2(scene.masses[i].influence2);
+        const Vec3<R> d = spread<R>(gate.images[i]) - Vec3<R>{qx[g], qy[g], R(0)};
+        const auto near = dot(d, d)<influence2, held = seen[g][i]> R(0);
+        const auto ends = acts & ((near & !held) | (held & !near));
+        if (!any(ends)) continue;
+        const LocalPath<R> q = feet[g].led_by(seen_from(g, path));
+        const LaneQuintic<R, R> height{R(gate.images[i].z), R(0), R(0), R(0), R(0), R(0)};
+        first.offer(ends, LaneSquare<R>{q.x + R(-gate.images[i].x), q.y + R(-gate.images[i].y),
+                                        height, influence2});
+      }
+    }
+  }
+
+  /// A gate's own direction of the way `t`: through another gate that of its nearest point.
+  [[nodiscard]] Vec3<R> way_of(int g, Vec3<R> t, const R* speed_x, const R* speed_y) const {
+    const LaneGate& gate = scene.gates[g];
+    if (gate.parent < 0) return to_axes(t, gate.right, gate.up, gate.normal);
+    return spread<R>(gate.by_x) * speed_x[gate.parent] +
+           spread<R>(gate.by_y) * speed_y[gate.parent];
+  }
+
   /// The path in a gate's coordinates; through another gate that of its nearest point.
   [[nodiscard]] LocalPath<R> seen_from(int g, const LanePath<R>& path) const {
     const LaneGate& gate = scene.gates[g];
@@ -156,10 +233,7 @@ struct LaneField {
   [[nodiscard]] Vec3<R> bending_of_gates(Vec3<R> x, Vec3<R> t, LaneBending<R>& sum) const {
     R speed_x[most_lane_gates], speed_y[most_lane_gates], slowness[most_lane_gates];
     for (int g = 0; g < scene.gate_count; ++g) {
-      const LaneGate& gate = scene.gates[g];
-      const Vec3<R> way = gate.parent < 0 ? to_axes(t, gate.right, gate.up, gate.normal)
-                                          : spread<R>(gate.by_x) * speed_x[gate.parent] +
-                                                spread<R>(gate.by_y) * speed_y[gate.parent];
+      const Vec3<R> way = way_of(g, t, speed_x, speed_y);
       speed_x[g] = feet[g].speed_x(way);
       speed_y[g] = feet[g].speed_y(way);
       slowness[g] = slowness_of(speed_x[g], speed_y[g]);

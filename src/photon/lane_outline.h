@@ -218,8 +218,14 @@ template <class R, class Gate>
   }
   const Vec3<R> from{local.x - foot.x(local), local.y - foot.y(local), local.z};
   const Vec3<R> rate{way.x - foot.speed_x(way), way.y - foot.speed_y(way), way.z};
+  const Vec3<R> bent{turn.x - foot.speed_x(turn), turn.y - foot.speed_y(turn), turn.z};
   const R outside = dot(from, from) - R(gate.reach2);
-  return min(first.along_the_curve(), until_sphere(-dot(from, rate), outside, dot(rate, rate)));
+  const R straight = until_sphere(-dot(from, rate), outside, dot(rate, rate));
+  // By one step of Newton's method from the straight way.
+  const Vec3<R> at = from + (rate + bent * (straight * R(0.5))) * straight;
+  const R more = (R(gate.reach2) - dot(at, at)) / (R(2) * dot(at, rate + bent * straight));
+  const R ends = select(abs(more) < straight * R(0.5), straight + more, straight);
+  return min(first.along_the_curve(), ends);
 }
 
 }  // namespace portalens

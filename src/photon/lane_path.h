@@ -153,4 +153,19 @@ struct LaneDistance {
   }
 };
 
+/// The square of the length of a vector along a step's path, less that of a radius.
+template <class R>
+struct LaneSquare {
+  LaneQuintic<R, R> x, y, z;
+  R radius2;
+
+  [[nodiscard]] R at(R u) const {
+    const Vec3<R> d{x.at(u), y.at(u), z.at(u)};
+    return dot(d, d) - radius2;
+  }
+  [[nodiscard]] R slope(R u) const {
+    return R(2) * (x.at(u) * x.slope(u) + y.at(u) * y.slope(u) + z.at(u) * z.slope(u));
+  }
+};
+
 }  // namespace portalens

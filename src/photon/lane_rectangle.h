@@ -123,8 +123,10 @@ template <class R>
 struct FirstMeeting {
   R share{2};  ///< of the step; beyond 1: none
 
-  void offer(typename R::Mask may, const LaneQuintic<R, R>& height) {
-    const R z0 = height.c0, z1 = height.at(R(1));
+  /// @param height  a polynomial, or the square of a distance less that of a radius
+  template <class Height>
+  void offer(typename R::Mask may, const Height& height) {
+    const R z0 = height.at(R(0)), z1 = height.at(R(1));
     const auto crosses = may & (z0 * z1 < R(0));
     if (!any(crosses)) return;
     const R guess = z0 / select(crosses, z0 - z1, R(1));

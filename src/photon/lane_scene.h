@@ -98,6 +98,9 @@ struct LaneGate {
   float tolerance;             ///< heights down to minus this count as in front
   float reach, reach2;
   LaneVec images[most_lane_masses];  ///< of the masses, in local coordinates
+  /// Whether the influence of a mass ends somewhere on the polygon; and with a parent, whether
+  /// places on that one's are further from it than the reach.
+  bool fades[most_lane_masses], falls_short;
 };
 
 /// A portal's rectangle, about its middle.
@@ -169,6 +172,7 @@ struct LaneBox {
 };
 
 struct LaneScene {
+  bool fading;  ///< some gate has a mass that fades, or falls short
   int mass_count, gate_count, map_count, entrance_count, way_count, portal_count, outline_count,
       polygon_count, sphere_count, box_count, lone_count;
   float stiffness_weight, nearness_weight;  ///< of the step, see Radau

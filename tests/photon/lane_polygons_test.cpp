@@ -74,8 +74,9 @@ struct Case {
 };
 
 /// A ground, spheres, two masses, and slanted portals.
-Space space_of(const char* coupling, int depth, std::vector<Portal> portals) {
-  Physics physics = physics_with(1e-4, 1.0);
+Space space_of(const char* coupling, int depth, std::vector<Portal> portals,
+               double min_force = 1.0) {
+  Physics physics = physics_with(1e-4, min_force);
   physics.portal_gravity = coupling;
   physics.portal_gravity_depth = depth;
   physics.max_steps = 20000;
@@ -140,7 +141,7 @@ void expect_as_scalar(const Space& space, const std::vector<Photon>& photons, bo
   EXPECT_GT(crossed, photons.size() / 100);
   EXPECT_LT(static_cast<double>(unlike), 0.003 * static_cast<double>(photons.size()) + 2);
   EXPECT_LT(apart[apart.size() / 2], deep ? 1e-4 : 3e-5);
-  EXPECT_LT(apart[apart.size() * 98 / 100], 1e-3);
+  EXPECT_LT(apart[apart.size() * 98 / 100], deep ? 1e-3 : 4e-4);
 }
 
 class LanesThroughPolygons : public testing::TestWithParam<Case> {};
@@ -199,6 +200,23 @@ TEST(LanesThroughPolygons, TakeRectanglesAndOthersTogether) {
   ASSERT_TRUE(space.lanes);
   EXPECT_EQ(space.lanes->scene.gate_count, 4);
   expect_as_scalar(space, photons_from_all_sides(scaled(2500)), false);
+}
+
+/// Their influence ends somewhere on the faces, and behind one portal the other is out of reach.
+TEST(LanesThroughPolygons, SeeMassesBeginAndCeaseToActThroughThem) {
+  for (const Corners& corners : {trapezium, rectangle}) {
+    const Space space = space_of("closest-point", 2,
+                                 pair_of(corners, plane({-3, 1.6, -2}, 0.3, 0.2, 0.1),
+                                         plane({3.5, 1.9, -3}, -0.5, -0.1, -0.2)),
+                                 4.0);
+    ASSERT_TRUE(space.lanes);
+    const LaneScene& scene = space.lanes->scene;
+    EXPECT_TRUE(std::any_of(scene.gates, scene.gates + scene.gate_count,
+                            [](const LaneGate& gate) { return gate.fades[0] || gate.fades[1]; }));
+    EXPECT_TRUE(std::any_of(scene.gates, scene.gates + scene.gate_count,
+                            [](const LaneGate& gate) { return gate.falls_short; }));
+    expect_as_scalar(space, photons_from_all_sides(scaled(2500)), false);
+  }
 }
 
 /// Where a float puts it may be a little behind the portal that it comes from.
