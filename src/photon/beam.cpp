@@ -15,12 +15,9 @@ namespace {
 /// More would take longer than the photons that are saved.
 constexpr std::size_t most_obstacles = 256;
 /// The beam is taken wider than the four trails are from its middle.
-constexpr double widening = 1.1;
+constexpr float widening = 1.1f;
 /// How often a piece of a beam is halved that comes near an obstacle.
 constexpr int most_halvings = 5;
-
-/// A place, and how long the way to it is.
-using Reached = float __attribute__((vector_size(16)));
 
 Reached reached(const Waypoint& point) {
   static_assert(offsetof(Waypoint, place) == 0 && offsetof(Waypoint, length) == 12);
@@ -29,8 +26,8 @@ Reached reached(const Waypoint& point) {
   return found;
 }
 Vec3d place_of(Reached at) { return {at[0], at[1], at[2]}; }
-float square_between(Reached a, Reached b) {
-  const Reached d = a - b, squares = d * d;
+float square_of_place(Reached a) {
+  const Reached squares = a * a;
   return squares[0] + squares[1] + squares[2];
 }
 
@@ -40,11 +37,6 @@ bool beside_plane(const Quad& quad, Vec3d a, Vec3d b, double distance) {
   const double height_b = dot(b - quad.vertices()[0], quad.normal());
   return (height_a > distance && height_b > distance) ||
          (height_a < -distance && height_b < -distance);
-}
-
-/// How far a way can be from the straight one between two of its points.
-double stray(const Waypoint& a, const Waypoint& b) {
-  return 0.25 * double{b.length - a.length} * double{b.turning - a.turning};
 }
 
 }  // namespace
@@ -98,7 +90,8 @@ BeamGuard::BeamGuard(const Space& space) : space_(&space) {
   const auto& shapes = space.surfaces.shapes();
   for (std::uint32_t i = 0; i < shapes.size(); ++i) {
     const Box box = std::visit([](const auto& shape) { return shape.bounds(); }, shapes[i]);
-    add(std::holds_alternative<Mesh>(shapes[i]) ? nullptr : &shapes[i], box, Met::surface, i);
+    const Shape* shape = std::holds_alternative<Mesh>(shapes[i]) ? nullptr : &shapes[i];
+    add(shape, box, Met::surface, i);
   }
   const auto portals = space.portals.portals();
   for (std::uint32_t i = 0; i < portals.size(); ++i) {
@@ -114,22 +107,46 @@ BeamGuard::BeamGuard(const Space& space) : space_(&space) {
   }
   for (std::uint32_t i = 0; i < space.masses.size(); ++i) {
     const Mass& mass = space.masses[i];
-    if (mass.has_horizon())
-      obstacles_.push_back({nullptr, mass.center, mass.schwarzschild, Met::mass, i});
+    if (mass.has_horizon()) add(nullptr, mass.center, mass.schwarzschild, Met::mass, i);
   }
 }
 
 void BeamGuard::add(const Shape* shape, const Box& box, Met kind, std::uint32_t index) {
-  obstacles_.push_back({shape, box.middle(), 0.5 * box.diagonal(), kind, index});
+  add(shape, box.middle(), 0.5 * box.diagonal(), kind, index);
 }
 
-std::vector<BeamGuard::Piece> BeamGuard::beam_of(const std::array<const Trail*, 4>& trails) {
+void BeamGuard::add(const Shape* shape, Vec3d center, double radius, Met kind,
+                    std::uint32_t index) {
+  const Vec3<float> near{static_cast<float>(center.x), static_cast<float>(center.y),
+                         static_cast<float>(center.z)};
+  const double lost = length(center - Vec3d{near.x, near.y, near.z});
+  const auto near_radius = static_cast<float>((radius + lost) * (1.0 + 1e-5));
+  const Reached near_center{near.x, near.y, near.z, 0.0f};
+  obstacles_.push_back({shape, center, radius, near_center, near_radius, kind, index});
+}
+
+/// The light between four trails, piece by piece.
+class BeamGuard::Beam {
+ public:
+  /// @pre as `clear` has it
+  explicit Beam(const std::array<const Trail*, 4>& trails);
+
+  [[nodiscard]] std::span<const Piece> pieces() const { return std::span(pieces_).first(count_); }
+
+ private:
+  void add(Reached from, Reached to, float turning, float from_radius, float to_radius,
+           const Waypoint& point, bool last);
+  void mark_ends();
+
+  std::size_t count_ = 0;
+  std::array<Piece, Trail::most_points> pieces_;
+};
+
+BeamGuard::Beam::Beam(const std::array<const Trail*, 4>& trails) {
   std::array<Follower, 3> others{Follower(*trails[1]), Follower(*trails[2]), Follower(*trails[3])};
   const auto points = trails[0]->points();
-  std::vector<Piece> beam;
-  beam.reserve(points.size());
   Reached from{};
-  double before = 0.0;
+  float before = 0.0f;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Waypoint& point = points[i];
     const bool first = i == 0 || points[i - 1].stretch != point.stretch;
@@ -145,82 +162,109 @@ std::vector<BeamGuard::Piece> BeamGuard::beam_of(const std::array<const Trail*, 
       places[k] = others[k].place(point.length);
       sum += places[k];
     }
-    const Reached to = sum * 0.25f;
-    float square = square_between(here, to);
+    Reached to = sum * 0.25f;
+    to[3] = point.length;
+    float square = square_of_place(here - to);
     for (std::size_t k = 0; k < 3; ++k) {
-      square = std::max(square, square_between(places[k], to));
-      if (first) square = std::max(square, square_between(begun[k], to));
-      if (last) square = std::max(square, square_between(others[k].last(), to));
+      square = std::max(square, square_of_place(places[k] - to));
+      if (first) square = std::max(square, square_of_place(begun[k] - to));
+      if (last) square = std::max(square, square_of_place(others[k].last() - to));
     }
-    const double apart = widening * double{std::sqrt(square)};
-    if (!first) {
-      const Waypoint& begin = points[i - 1];
-      Piece& piece = beam.emplace_back();
-      piece.from = place_of(from);
-      piece.to = place_of(to);
-      const double rounding =
-          1e-6 * (std::fabs(piece.to.x) + std::fabs(piece.to.y) + std::fabs(piece.to.z));
-      const double aside = 2.0 * stray(begin, point) + rounding;
-      piece.from_radius = before + aside;
-      piece.to_radius = apart + aside;
-      piece.middle = (piece.from + piece.to) * 0.5;
-      // The way is no shorter than the straight one.
-      piece.reach = 0.5 * double{point.length - begin.length} + rounding +
-                    std::max(piece.from_radius, piece.to_radius);
-      piece.stretch = point.stretch;
-      piece.begun = begin.length;
-      piece.ended = point.length;
-      piece.last = last;
-    }
+    const float apart = widening * std::sqrt(square);
+    if (!first) add(from, to, point.turning - points[i - 1].turning, before, apart, point, last);
     from = to;
     before = apart;
   }
-  mark_ends(beam);
-  return beam;
+  mark_ends();
+}
+
+void BeamGuard::Beam::add(Reached from, Reached to, float turning, float from_radius,
+                          float to_radius, const Waypoint& point, bool last) {
+  Piece& piece = pieces_[count_++];
+  const float length = to[3] - from[3];
+  const float rounding = 2e-6f * (std::fabs(to[0]) + std::fabs(to[1]) + std::fabs(to[2]));
+  // Twice as far as a way can be from the straight one between two of its points.
+  const float aside = 0.5f * length * turning + rounding;
+  piece.from = from;
+  piece.to = to;
+  piece.from_radius = from_radius + aside;
+  piece.to_radius = to_radius + aside;
+  // The way is no shorter than the straight one.
+  piece.reach = 0.5f * length + rounding + piece.radius();
+  piece.stretch = point.stretch;
+  piece.last = last;
 }
 
 /// What a stretch begins or ends at, its beam touches there: on as much of the way as the places
 /// lie apart where the four ways come from it, or meet it.
-void BeamGuard::mark_ends(std::span<Piece> beam) {
-  for (std::size_t i = 0; i < beam.size();) {
+void BeamGuard::Beam::mark_ends() {
+  for (std::size_t i = 0; i < count_;) {
     std::size_t end = i;
-    while (!beam[end].last) ++end;
-    const double leaving = 2.0 * beam[i].from_radius, arriving = 2.0 * beam[end].to_radius;
-    const float first = beam[i].begun, final = beam[end].ended;
+    while (!pieces_[end].last) ++end;
+    const float leaving = 2.0f * pieces_[i].from_radius, arriving = 2.0f * pieces_[end].to_radius;
+    const float first = pieces_[i].from[3], final = pieces_[end].to[3];
     for (; i <= end; ++i) {
-      beam[i].leaves = beam[i].begun - first <= leaving;
-      beam[i].arrives = final - beam[i].ended <= arriving;
+      pieces_[i].leaves = pieces_[i].from[3] - first <= leaving;
+      pieces_[i].arrives = final - pieces_[i].to[3] <= arriving;
     }
   }
 }
 
-bool BeamGuard::met(const Obstacle& obstacle, const Piece& piece, const Trail& trail,
-                    const Arrival& end) const {
+/// On a plane the ways arrive from as far as they come slanting to it, if they have sunk for as
+/// long: who skims over it first may meet it there.
+bool BeamGuard::sinks(const Obstacle& obstacle, const Piece& piece, const Piece& final) {
+  const auto* quad = obstacle.shape ? std::get_if<Quad>(obstacle.shape) : nullptr;
+  if (!quad) return false;
+  const auto slope = [&](const Piece& part) {
+    const Vec3d along = place_of(part.to - part.from);
+    return dot(along, quad->normal()) / length(along);
+  };
+  const double arriving = slope(final), left = final.to[3] - piece.to[3];
+  return left * std::fabs(arriving) <= 2.0 * final.to_radius &&
+         slope(piece) * arriving >= 0.5 * arriving * arriving;
+}
+
+bool BeamGuard::met(const Obstacle& obstacle, const Piece& piece, const Piece& final,
+                    const Trail& trail, const Arrival& end) const {
   const bool last = piece.stretch == trail.crossings();
   if (obstacle.kind != Met::portal_back)
-    return piece.arrives && last && end.met == obstacle.kind && end.object == obstacle.index;
+    return last && end.met == obstacle.kind && end.object == obstacle.index &&
+           (piece.arrives || sinks(obstacle, piece, final));
   const auto portals = space_->portals.portals();
   return (piece.arrives && !last && trail.portal_after(piece.stretch) == obstacle.index) ||
          (piece.leaves && piece.stretch > 0 &&
           portals[trail.portal_after(piece.stretch - 1)].pair == obstacle.index);
 }
 
-bool BeamGuard::touches(const Piece& piece, const Obstacle& obstacle, int halvings) {
-  const double radius = std::max(piece.from_radius, piece.to_radius);
+/// Whether the obstacle can't be touched, as their balls tell.
+bool BeamGuard::apart(const Piece& piece, const Obstacle& obstacle) {
+  const Reached between = (piece.from + piece.to) * 0.5f - obstacle.near_center;
+  const float reach = piece.reach + obstacle.near_radius;
+  return square_of_place(between) > reach * reach;
+}
+
+/// Halves the piece where it comes near.
+bool BeamGuard::touches(const Piece& piece, const Obstacle& obstacle) {
   const auto* quad = obstacle.shape ? std::get_if<Quad>(obstacle.shape) : nullptr;
-  if (quad && beside_plane(*quad, piece.from, piece.to, radius)) return false;
-  const Vec3d nearest = closest_on_segment(piece.from, piece.to, obstacle.center);
-  if (length(nearest - obstacle.center) > obstacle.radius + radius) return false;
-  if (obstacle.shape) {
-    const Segment segment{piece.from, piece.to};
-    const auto clearance = [&](const auto& shape) { return shape.clearance(segment); };
-    if (std::visit(clearance, *obstacle.shape) > radius) return false;
-  }
-  if (halvings == 0) return true;
-  Piece first = piece, second = piece;
-  first.to = second.from = (piece.from + piece.to) * 0.5;
-  first.to_radius = second.from_radius = 0.5 * (piece.from_radius + piece.to_radius);
-  return touches(first, obstacle, halvings - 1) || touches(second, obstacle, halvings - 1);
+  const auto near = [&](const auto& self, Vec3d from, Vec3d to, double from_radius,
+                        double to_radius, int halvings) -> bool {
+    const double radius = std::max(from_radius, to_radius);
+    if (quad && beside_plane(*quad, from, to, radius)) return false;
+    const Vec3d nearest = closest_on_segment(from, to, obstacle.center);
+    if (length(nearest - obstacle.center) > obstacle.radius + radius) return false;
+    if (obstacle.shape) {
+      const Segment segment{from, to};
+      const auto clearance = [&](const auto& shape) { return shape.clearance(segment); };
+      if (std::visit(clearance, *obstacle.shape) > radius) return false;
+    }
+    if (halvings == 0) return true;
+    const Vec3d middle = (from + to) * 0.5;
+    const double middle_radius = 0.5 * (from_radius + to_radius);
+    return self(self, from, middle, from_radius, middle_radius, halvings - 1) ||
+           self(self, middle, to, middle_radius, to_radius, halvings - 1);
+  };
+  return near(near, place_of(piece.from), place_of(piece.to), piece.from_radius, piece.to_radius,
+              most_halvings);
 }
 
 bool BeamGuard::along_border(std::span<const Piece> beam) const {
@@ -239,30 +283,33 @@ bool BeamGuard::along_border(std::span<const Piece> beam) const {
 
 /// Whether a sphere might be entered by some of the light, and not by all.
 bool BeamGuard::along_sphere(std::span<const Piece> stretch, Vec3d center, double radius) {
-  double widest = 0.0;
-  for (const Piece& piece : stretch)
-    widest = std::max({widest, piece.from_radius, piece.to_radius});
+  float widest = 0.0f;
+  for (const Piece& piece : stretch) widest = std::max(widest, piece.radius());
   // Mostly it begins far within.
   const double within = radius - 2.0 * widest;
-  const auto square_to = [&](Vec3d place) { return dot(place - center, place - center); };
+  const auto square_to = [&](Reached place) {
+    return dot(place_of(place) - center, place_of(place) - center);
+  };
   if (within > 0.0 && square_to(stretch[0].from) < within * within) return false;
   double least = std::numeric_limits<double>::infinity(), wide = 0.0;
   for (const Piece& piece : stretch) {
     const double reach = least + piece.reach;
-    if (square_to(piece.middle) >= reach * reach) continue;
-    const double distance = length(closest_on_segment(piece.from, piece.to, center) - center);
-    if (distance < least) least = distance, wide = std::max(piece.from_radius, piece.to_radius);
+    if (square_to((piece.from + piece.to) * 0.5f) >= reach * reach) continue;
+    const Vec3d nearest = closest_on_segment(place_of(piece.from), place_of(piece.to), center);
+    const double distance = length(nearest - center);
+    if (distance < least) least = distance, wide = piece.radius();
   }
   return std::fabs(least - radius) <= 2.0 * wide;
 }
 
 bool BeamGuard::clear(const std::array<const Trail*, 4>& trails, const Arrival& end) const {
-  const std::vector<Piece> beam = beam_of(trails);
-  if (along_border(beam)) return false;
+  const Beam beam(trails);
+  const std::span<const Piece> pieces = beam.pieces();
+  if (along_border(pieces)) return false;
   for (const Obstacle& obstacle : obstacles_)
-    for (const Piece& piece : beam)
-      if (!apart(piece, obstacle) && !met(obstacle, piece, *trails[0], end) &&
-          touches(piece, obstacle, most_halvings))
+    for (const Piece& piece : pieces)
+      if (!apart(piece, obstacle) && !met(obstacle, piece, pieces.back(), *trails[0], end) &&
+          touches(piece, obstacle))
         return false;
   return true;
 }

@@ -2,6 +2,7 @@
 /// Whether the light between neighbouring photons does what they do.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <deque>
@@ -15,6 +16,9 @@
 #include "photon/trail.h"
 
 namespace portalens {
+
+/// A place, and how long the way to it is.
+using Reached = float __attribute__((vector_size(16)));
 
 /// Looks for whatever could change the way of the light between four photons: surfaces, portals and
 /// horizons that the four did not meet where they are, however small, and borders of the masses'
@@ -39,38 +43,37 @@ class BeamGuard {
     const Shape* shape;  ///< null: the ball itself
     Vec3d center;
     double radius;
+    Reached near_center;  ///< the same to the next float
+    float near_radius;
     Met kind;             ///< `portal_back` for either side of a portal
     std::uint32_t index;  ///< of the shape, the portal, or the mass
   };
   /// A piece of the beam: everything within `from_radius` at its start, growing evenly to
-  /// `to_radius` at its end.
+  /// `to_radius` at its end. Without values: many of them lie side by side.
   struct Piece {
-    Vec3d from, to;
-    double from_radius, to_radius;
-    Vec3d middle;  ///< of the ball that holds it
-    double reach;  ///< and its radius
+    Reached from, to;
+    float from_radius, to_radius;
+    float reach;  ///< from its middle: radius of the ball that holds it
     std::int32_t stretch;
-    float begun, ended;  ///< length of the way at both ends
-    bool last;           ///< of its stretch
-    bool leaves;         ///< lies where the stretch begins, or nearly
-    bool arrives;        ///< and where it ends
+    bool last;     ///< of its stretch
+    bool leaves;   ///< lies where the stretch begins, or nearly
+    bool arrives;  ///< and where it ends
+
+    [[nodiscard]] float radius() const { return std::max(from_radius, to_radius); }
   };
+  class Beam;
   class Follower;
 
   explicit BeamGuard(const Space& space);
 
   void add(const Shape* shape, const Box& box, Met kind, std::uint32_t index);
-  [[nodiscard]] static std::vector<Piece> beam_of(const std::array<const Trail*, 4>& trails);
-  static void mark_ends(std::span<Piece> beam);
-  [[nodiscard]] bool met(const Obstacle& obstacle, const Piece& piece, const Trail& trail,
-                         const Arrival& end) const;
-  /// Whether the obstacle can't be touched, as their balls tell.
-  [[nodiscard]] static bool apart(const Piece& piece, const Obstacle& obstacle) {
-    const Vec3d between = piece.middle - obstacle.center;
-    const double reach = piece.reach + obstacle.radius;
-    return dot(between, between) > reach * reach;
-  }
-  [[nodiscard]] static bool touches(const Piece& piece, const Obstacle& obstacle, int halvings);
+  void add(const Shape* shape, Vec3d center, double radius, Met kind, std::uint32_t index);
+  [[nodiscard]] static bool sinks(const Obstacle& obstacle, const Piece& piece, const Piece& final);
+  /// @param final  the last piece of the beam
+  [[nodiscard]] bool met(const Obstacle& obstacle, const Piece& piece, const Piece& final,
+                         const Trail& trail, const Arrival& end) const;
+  [[nodiscard]] static bool apart(const Piece& piece, const Obstacle& obstacle);
+  [[nodiscard]] static bool touches(const Piece& piece, const Obstacle& obstacle);
   [[nodiscard]] bool along_border(std::span<const Piece> beam) const;
   [[nodiscard]] static bool along_sphere(std::span<const Piece> stretch, Vec3d center,
                                          double radius);

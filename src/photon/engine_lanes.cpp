@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "photon/advance.h"
+#include "photon/lane_log.h"
 #include "photon/radau.h"
 #include "photon/space.h"
 #include "photon/vicinity.h"
@@ -30,6 +31,7 @@ class LaneDriver {
         photons_(photons),
         arrivals_(arrivals),
         trails_(trails),
+        log_(plan.center),
         shapes_(space.surfaces.shapes()) {}
 
   void run() {
@@ -38,7 +40,7 @@ class LaneDriver {
       std::uint32_t events = step_(plan_.scene, lanes_);
       // Only where the step was not taken can a lane still be as it was put there.
       const std::uint32_t was_fresh = std::exchange(fresh_, 0);
-      if (!trails_.empty()) note_places(~events);
+      if (!trails_.empty()) note_step(events);
       for (; events != 0; events &= events - 1) {
         const int lane = std::countr_zero(events);
         const auto event = static_cast<LaneEvent>(static_cast<int>(lanes_.event[lane]));
@@ -132,15 +134,18 @@ class LaneDriver {
     trails_[photon_[lane]].pass(state.position, arrival.length, arrival.turning);
   }
 
-  /// Where those lanes are that a step has moved.
-  void note_places(std::uint32_t moved) {
-    for (; moved != 0; moved &= moved - 1) {
-      const int lane = std::countr_zero(moved);
-      if (lanes_.live[lane] > 0.0f && is_told(lane))
-        trails_[photon_[lane]].pass(
-            plan_.center + Vec3d{lanes_.x[lane], lanes_.y[lane], lanes_.z[lane]},
-            lanes_.length[lane], lanes_.turning[lane]);
+  /// Where the lanes are that a step has moved. How it was for those with an event, is told
+  /// elsewhere.
+  void note_step(std::uint32_t events) {
+    log_.note(lanes_);
+    for (; events != 0; events &= events - 1) {
+      const int lane = std::countr_zero(events);
+      if (is_told(lane)) log_.tell(lane, trails_[photon_[lane]], 1);
     }
+    if (!log_.full()) return;
+    for (int lane = 0; lane < lane_count; ++lane)
+      if (lanes_.live[lane] > 0.0f && is_told(lane)) log_.tell(lane, trails_[photon_[lane]], 0);
+    log_.clear();
   }
 
   /// Notes where the way ends; one to the sky, as far as there is anything.
@@ -201,6 +206,7 @@ class LaneDriver {
   /// @param clear  nothing is met within that much path
   void put(int lane, const State& state, const Departure& departure, double clear) {
     fresh_ |= std::uint32_t{1} << lane;
+    log_.begin(lane);
     const Vec3d x = state.position - plan_.center;
     lanes_.x[lane] = static_cast<float>(x.x);
     lanes_.y[lane] = static_cast<float>(x.y);
@@ -279,6 +285,7 @@ class LaneDriver {
   std::span<const Photon> photons_;
   std::span<Arrival> arrivals_;
   std::span<Trail> trails_;  ///< of the first photons
+  LaneLog log_;              ///< of what is not in the trails yet
   std::span<const Shape> shapes_;
   std::optional<Vec3d> begun_;  ///< the last place from which a photon could begin
   Lanes lanes_;

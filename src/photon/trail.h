@@ -26,6 +26,8 @@ struct Waypoint {
 /// that could be met.
 class Trail {
  public:
+  static constexpr std::size_t most_points = 64;
+
   Trail() = default;
   Trail(const Trail& other) { *this = other; }
   /// Copies no more than there is: most trails are short.
@@ -83,7 +85,7 @@ class Trail {
   }
 
  private:
-  static constexpr std::size_t few_points = 20, most_points = 64;
+  static constexpr std::size_t few_points = 20;
   static constexpr std::uint32_t most_portals = 31;
   static constexpr int most_crossings = 12;  // 32^12 fits 64 bits
 

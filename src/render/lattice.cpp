@@ -20,13 +20,16 @@ constexpr double first_node = 0.5 - coarse_spacing;
 
 /// Third differences of what guides find, pixels: those of a function that is a polynomial of the
 /// third degree but for hundredths of a pixel. What masses do by themselves is smooth between the
-/// borders that the guard looks for; gravity through portals bends sharply at more than those.
-double most_third_difference(const Space& space) {
-  return std::holds_alternative<NoCoupling>(space.coupling) ? 5.0 : 0.5;
+/// borders that the guard looks for: with these, cells of each size are off by as much (of the
+/// smallest, every fourth pixel has a guide of its own). Gravity through portals bends sharply at
+/// more than those borders.
+double most_third_difference(const Space& space, int stride) {
+  if (!std::holds_alternative<NoCoupling>(space.coupling)) return 0.5;
+  return stride == coarse ? 3.5 : stride == 1 ? 9.0 : 4.5;
 }
 
 /// As much of that where the guides lie aside: beyond the inner four a polynomial is worth less.
-constexpr double share_aside = 0.4;
+constexpr double share_aside = 0.55;
 /// Of a third difference to that of guides half as far apart: about 8, and more where it changes.
 constexpr double by_halving = 20.0;
 /// Coarse cells that are decided together, about: their guides fill the lanes.
@@ -240,7 +243,7 @@ void Lattice::decide(const Cell& cell) {
   const int share = coarse / cell.stride;
   const double given_up = cell.stride > 1 ? by_halving : 1.0;
   const double most =
-      most_third_difference(world_.space) * (cell.aside.is_none() ? 1.0 : share_aside);
+      most_third_difference(world_.space, cell.stride) * (cell.aside.is_none() ? 1.0 : share_aside);
   Patch& patch = patches_.emplace_back(cell);
   const double roughness = patch.found.through(
       world_.space, guides, pixel_in(cell.column / share, cell.row / share), most, given_up);

@@ -159,6 +159,38 @@ TEST(BeamGuard, SeesAPortalOfSevenCornersOnTheWayOfAnyPhotonBetween) {
   });
 }
 
+/// What the guard says of four ways through these places, a tenth aside of each other, that end on
+/// the ground.
+bool clear_to_ground(const std::vector<Vec3d>& places) {
+  const Space space = space_of();
+  std::array<Trail, 4> trails;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Vec3d aside{0, 0, 0.1 * static_cast<double>(i)};
+    double way = 0.0;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      if (k > 0) way += length(places[k] - places[k - 1]);
+      trails[i].pass(places[k] + aside, way, 0.0);
+    }
+  }
+  Arrival ground;
+  ground.fate = Fate::hit;
+  ground.met = Met::surface;
+  ground.object = 0;
+  return BeamGuard::over(space)->clear({&trails[0], &trails[1], &trails[2], &trails[3]}, ground);
+}
+
+TEST(BeamGuard, LetsLightSinkSlantwiseOntoAPlane) {
+  // A step ends a beam's width above the ground, and several of them before it.
+  EXPECT_TRUE(clear_to_ground({{10, 2.1, 8}, {18, 0.1, 8}, {18.4, 0.0, 8}}));
+  EXPECT_TRUE(clear_to_ground({{10, 2.1, 8}, {17, 0.2, 8}, {18, 0.1, 8}, {18.8, 0.0, 8}}));
+}
+
+TEST(BeamGuard, SeesThatLightSkimsOverThePlaneItEndsOn) {
+  EXPECT_FALSE(clear_to_ground({{10, 2.1, 8}, {18, 0.1, 8}, {19, 0.1, 8}, {19.4, 0.0, 8}}));
+  EXPECT_FALSE(clear_to_ground({{10, 2.1, 8}, {18, 0.1, 8}, {18.6, 0.12, 8}, {19, 0.0, 8}}));
+  EXPECT_FALSE(clear_to_ground({{10, 2.1, 8}, {18, 0.05, 8}, {20, 0.4, 8}, {22, 0.0, 8}}));
+}
+
 TEST(BeamGuard, LetsMostBeamsThrough) {
   const Space space = space_of();
   Random random(23);

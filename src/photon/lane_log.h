@@ -1,0 +1,58 @@
+/// \file
+/// Where the lanes were after each of their last steps. To put all of them down at once and sort
+/// them by lane when a way is asked for takes less than to continue a trail a lane and step.
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "math/vec3.h"
+#include "photon/lane_scene.h"
+#include "photon/trail.h"
+
+namespace portalens {
+
+class LaneLog {
+ public:
+  explicit LaneLog(Vec3d center) : center_(center) {}
+
+  [[nodiscard]] bool full() const { return count_ == most_steps; }
+  /// All lanes as a step has left them. @pre not full
+  void note(const Lanes& lanes) {
+    Step& step = steps_[count_++];
+    std::copy_n(lanes.x, lane_count, step.x);
+    std::copy_n(lanes.y, lane_count, step.y);
+    std::copy_n(lanes.z, lane_count, step.z);
+    std::copy_n(lanes.length, lane_count, step.length);
+    std::copy_n(lanes.turning, lane_count, step.turning);
+  }
+  /// What was noted of the lane until now is not asked for.
+  void begin(int lane) { begun_[lane] = count_; }
+  /// Adds the lane's places to the trail, but for as many of the last steps; they are told once.
+  void tell(int lane, Trail& trail, int but) {
+    for (int i = begun_[lane]; i < count_ - but; ++i) {
+      const Step& step = steps_[i];
+      trail.pass(center_ + Vec3d{step.x[lane], step.y[lane], step.z[lane]}, step.length[lane],
+                 step.turning[lane]);
+    }
+    begun_[lane] = count_;
+  }
+  /// @pre all lanes whose way is asked for have been told
+  void clear() {
+    count_ = 0;
+    begun_ = {};
+  }
+
+ private:
+  static constexpr int most_steps = 64;
+  struct alignas(64) Step {
+    float x[lane_count], y[lane_count], z[lane_count], length[lane_count], turning[lane_count];
+  };
+
+  Vec3d center_;
+  int count_ = 0;
+  std::array<int, lane_count> begun_{};
+  std::array<Step, most_steps> steps_;
+};
+
+}  // namespace portalens
