@@ -21,7 +21,6 @@ struct LaneCrowdField {
   /// From the step's start, as in `LaneField`; a mass that a lane does not list is far off.
   R squares[most_lane_near], along[most_lane_near];
   typename R::Mask acting, lacks_room;
-  LaneBall<R> next;  ///< that the ways come to, where they come to one
 
   explicit LaneCrowdField(const LaneScene& the_scene)
       : scene(the_scene), crowd(the_scene.crowd), acting(R(1) < R(0)), lacks_room(R(1) < R(0)) {}
@@ -69,7 +68,7 @@ struct LaneCrowdField {
   }
 
   /// As of `LaneField`; what acts and what absorbs is left or entered there.
-  [[nodiscard]] R boundary(Vec3<R> x, Vec3<R> t, Vec3<R> bend, R limit) {
+  [[nodiscard]] R boundary(Vec3<R> x, Vec3<R> t, Vec3<R> bend, R limit) const {
     const R bend2 = dot(bend, bend);
     R least(never);
     for (int i = 0; i < count; ++i) {
@@ -79,12 +78,13 @@ struct LaneCrowdField {
                                              inward, bend2);
       least = min(least, select(within, leaves, R(never)));
     }
-    const LaneCrowdGrid<R> grid(crowd, x, t, scene.ahead);
-    return min(least, grid.first_entry(bend, min(least, limit), next));
+    return min(least,
+               LaneCrowdGrid<R>(crowd, x, t, scene.ahead).first_entry(bend, min(least, limit)));
   }
 
   /// Where the path leaves or enters a ball sooner than `boundary` has foreseen.
-  [[nodiscard]] R first_change(typename R::Mask which, const LanePath<R>& path, Vec3<R> end) const {
+  [[nodiscard]] R first_change(typename R::Mask which, const LanePath<R>& path, Vec3<R>) const {
+    const Vec3<R> end = path.place.at(R(1 - foreseen) - R(2 * scene.overshoot) / path.h);
     R first(2);
     const auto offer = [&](typename R::Mask changed, Vec3<R> center, R radius2, R side) {
       const LaneDistance<R> outside{path, center, radius2};
@@ -98,9 +98,10 @@ struct LaneCrowdField {
       const auto left = which & (inside[i] > R(0)) & (dot(from, from) > radius2);
       if (any(left)) offer(left, center, radius2, R(-1));
     }
-    const Vec3<R> from = end - next.center;
-    const auto entered = which & (dot(from, from) < next.radius2);
-    if (any(entered)) offer(entered, next.center, next.radius2, R(1));
+    const LaneCrowdGrid<R> grid(crowd, path.place.c0, path.place.c1 * (R(1) / path.h), scene.ahead);
+    const LaneBall<R> ball = grid.entered(which & acting, end);
+    const auto entered = ball.radius2 > R(0);
+    if (any(entered)) offer(entered, ball.center, ball.radius2, R(1));
     return first;
   }
 
@@ -108,6 +109,10 @@ struct LaneCrowdField {
   static constexpr bool sees_borders_far_off = true;
   static constexpr bool may_lack_room = true;
   static constexpr bool looks_back = true;
+
+ private:
+  /// What changes in that last share of a step has been foreseen well enough.
+  static constexpr float foreseen = 3e-4f;
 };
 
 }  // namespace portalens

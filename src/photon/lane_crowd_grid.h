@@ -64,12 +64,8 @@ class LaneCrowdGrid {
 
   /// @param ahead  whether they lie in a ball is decided that far ahead
   LaneCrowdGrid(const LaneCrowd& crowd, V x, V t, float ahead) : crowd_(crowd), ahead_(ahead) {
-    x.x.store(at_[0]);
-    x.y.store(at_[1]);
-    x.z.store(at_[2]);
-    t.x.store(along_[0]);
-    t.y.store(along_[1]);
-    t.z.store(along_[2]);
+    store(x, at_);
+    store(t, along_);
   }
 
   /// Marks the masses in whose balls the places lie.
@@ -85,32 +81,45 @@ class LaneCrowdGrid {
 
   /// How far it is along the ways x + t s + bend s²/2 to the next ball that they don't lie in, or
   /// `never`; what is farther than `limit` need not be found.
-  [[nodiscard]] R first_entry(V bend, R limit, LaneBall<R>& next) const {
-    alignas(64) float bent[3][R::lanes], chords[3][R::lanes], found[R::lanes], ball[4][R::lanes];
-    bend.x.store(bent[0]);
-    bend.y.store(bent[1]);
-    bend.z.store(bent[2]);
-    const R half = R(0.5) * limit;
-    multiply_add(bend.x, half, R::load(along_[0])).store(chords[0]);
-    multiply_add(bend.y, half, R::load(along_[1])).store(chords[1]);
-    multiply_add(bend.z, half, R::load(along_[2])).store(chords[2]);
+  [[nodiscard]] R first_entry(V bend, R limit) const {
+    alignas(64) float bent[3][R::lanes], chords[3][R::lanes], found[R::lanes];
+    store(bend, bent);
+    store(multiply_add(bend, R(0.5) * limit,
+                       V{R::load(along_[0]), R::load(along_[1]), R::load(along_[2])}),
+          chords);
     limit.store(found);
     for (int lane = 0; lane < R::lanes; ++lane) {
       const V bend_here{R(bent[0][lane]), R(bent[1][lane]), R(bent[2][lane])};
       const float chord[3] = {chords[0][lane], chords[1][lane], chords[2][lane]};
-      const Entry entry = first_on(lane, bend_here, chord, found[lane]);
-      found[lane] = entry.at;
-      const bool none = entry.ball == no_ball;
-      ball[0][lane] = none ? 0.0f : crowd_.x[entry.ball];
-      ball[1][lane] = none ? 0.0f : crowd_.y[entry.ball];
-      ball[2][lane] = none ? 0.0f : crowd_.z[entry.ball];
-      ball[3][lane] = none ? 0.0f : crowd_.reach2[entry.ball];
+      found[lane] = first_on(lane, bend_here, chord, found[lane]);
     }
-    next = {{R::load(ball[0]), R::load(ball[1]), R::load(ball[2])}, R::load(ball[3])};
     return R::load(found);
   }
 
+  /// Of each lane of `which` the ball in which `end` lies the deepest and its way does not begin,
+  /// if there is one.
+  [[nodiscard]] LaneBall<R> entered(Mask which, V end) const {
+    alignas(64) float ends[3][R::lanes], ball[4][R::lanes] = {};
+    store(end, ends);
+    for (std::uint32_t rest = bits(which); rest != 0; rest &= rest - 1) {
+      const int lane = __builtin_ctz(rest);
+      const std::uint32_t k = deepest_about(lane, ends[0][lane], ends[1][lane], ends[2][lane]);
+      if (k == no_ball) continue;
+      ball[0][lane] = crowd_.x[k];
+      ball[1][lane] = crowd_.y[k];
+      ball[2][lane] = crowd_.z[k];
+      ball[3][lane] = crowd_.reach2[k];
+    }
+    return {{R::load(ball[0]), R::load(ball[1]), R::load(ball[2])}, R::load(ball[3])};
+  }
+
  private:
+  static void store(V value, float (&out)[3][R::lanes]) {
+    value.x.store(out[0]);
+    value.y.store(out[1]);
+    value.z.store(out[2]);
+  }
+
   /// A lane's way, in all lanes.
   struct Way {
     V x, t;
@@ -202,11 +211,10 @@ class LaneCrowdGrid {
   };
 
   /// The cube that the place lies in, or -1.
-  [[nodiscard]] int cell_about(int lane) const {
-    const float per_size = crowd_.per_size;
-    const float x = (at_[0][lane] - crowd_.low.x) * per_size;
-    const float y = (at_[1][lane] - crowd_.low.y) * per_size;
-    const float z = (at_[2][lane] - crowd_.low.z) * per_size;
+  [[nodiscard]] int cell_about(float x, float y, float z) const {
+    x = (x - crowd_.low.x) * crowd_.per_size;
+    y = (y - crowd_.low.y) * crowd_.per_size;
+    z = (z - crowd_.low.z) * crowd_.per_size;
     const bool within =
         x >= 0.0f && y >= 0.0f && z >= 0.0f && x < static_cast<float>(crowd_.cells_x) &&
         y < static_cast<float>(crowd_.cells_y) && z < static_cast<float>(crowd_.cells_z);
@@ -217,7 +225,7 @@ class LaneCrowdGrid {
 
   /// @return false if there are more than `most`
   [[nodiscard]] bool mark_about(int lane, int most, LaneMarks<R>& marks) const {
-    const int cell = cell_about(lane);
+    const int cell = cell_about(at_[0][lane], at_[1][lane], at_[2][lane]);
     if (cell < 0) return true;
     const Way way(*this, lane);
     const std::uint32_t end = crowd_.begins[cell + 1];
@@ -234,16 +242,38 @@ class LaneCrowdGrid {
   }
 
   static constexpr std::uint32_t no_ball = ~std::uint32_t{0};
-  struct Entry {
-    float at;
-    std::uint32_t ball;
-  };
+
+  [[nodiscard]] std::uint32_t deepest_about(int lane, float x, float y, float z) const {
+    const int cell = cell_about(x, y, z);
+    if (cell < 0) return no_ball;
+    const Way way(*this, lane);
+    const V end{R(x), R(y), R(z)};
+    const std::uint32_t last = crowd_.begins[cell + 1];
+    float most = 0.0f;
+    std::uint32_t deepest = no_ball;
+    for (std::uint32_t first = crowd_.begins[cell]; first < last; first += R::lanes) {
+      const Balls balls(*this, way, first, last);
+      const V from = balls.to_middle + way.x - end;
+      const R depth = balls.reach2 - dot(from, from);
+      const Mask entered = balls.there & !balls.within & (depth > R(0));
+      if (!any(entered)) continue;
+      alignas(64) float depths[R::lanes];
+      depth.store(depths);
+      for (std::uint32_t rest = bits(entered); rest != 0; rest &= rest - 1) {
+        const int k = __builtin_ctz(rest);
+        if (!(depths[k] > most)) continue;
+        most = depths[k];
+        deepest = first + static_cast<std::uint32_t>(k);
+      }
+    }
+    return deepest;
+  }
 
   /// Of one lane; `never` where nothing comes before the limit.
-  [[nodiscard]] Entry first_on(int lane, V bend, const float* chord, float limit) const {
+  [[nodiscard]] float first_on(int lane, V bend, const float* chord, float limit) const {
     const Way way(*this, lane);
     const R most(limit);
-    Entry least{limit, no_ball};
+    float least = limit;
     for (Walk walk(*this, lane, chord); walk.goes_on(); walk.go_on()) {
       const int cell = walk.cell();
       const std::uint32_t end = crowd_.begins[cell + 1];
@@ -271,14 +301,13 @@ class LaneCrowdGrid {
         alignas(64) float found[R::lanes];
         select((better > R(0)) & (better <= near), better, near * R(0.5)).store(found);
         for (std::uint32_t rest = bits(meets); rest != 0; rest &= rest - 1) {
-          const int k = __builtin_ctz(rest);
-          if (found[k] < least.at) least = {found[k], first + static_cast<std::uint32_t>(k)};
+          const float s = found[__builtin_ctz(rest)];
+          least = s < least ? s : least;
         }
       }
-      if (!(walk.end() < least.at)) break;
+      if (!(walk.end() < least)) break;
     }
-    if (least.ball == no_ball) least.at = never;
-    return least;
+    return least < limit ? least : never;
   }
 
   const LaneCrowd& crowd_;

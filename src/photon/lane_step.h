@@ -132,7 +132,7 @@ class LaneStepper {
       const Mask counts = (event == R(0)) | (crossed == code(LaneEvent::horizon));
       event = select(lone.enters & counts, crossed, event);
     }
-    event = select(ends, found.event, event);
+    event = select(ends & (found.event > R(0)), found.event, event);
     event = select(escapes, code(LaneEvent::escape), event);
     event = select(consults, code(LaneEvent::consult), event);
     event.store(lanes_.event + first_);

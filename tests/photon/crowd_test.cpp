@@ -133,8 +133,8 @@ TEST_P(CrowdsIn, LanesLandWhereTheScalarEngineHasThem) {
     const Errors scalar(by_scalar(space, photons), exact);
     const Errors lanes(in_lanes(space, photons, lane_engine().name), exact);
     EXPECT_LE(lanes.unlike, 2 * scalar.unlike + 2);
-    EXPECT_LT(lanes.at(0.5), 5.0 * scalar.at(0.5) + 2e-6);
-    EXPECT_LT(lanes.at(0.9), 10.0 * scalar.at(0.9) + 1e-5);
+    EXPECT_LT(lanes.at(0.5), 3.0 * scalar.at(0.5) + 2e-6);
+    EXPECT_LT(lanes.at(0.9), 4.0 * scalar.at(0.9) + 1e-5);
   }
 }
 
@@ -220,7 +220,7 @@ TEST(Crowd, KeepsTheLimits) {
     std::size_t lost = 0;
     for (const Arrival& arrival : in_lanes(space, photons, lane_engine().name)) {
       lost += arrival.fate == Fate::lost ? 1 : 0;
-      EXPECT_LE(arrival.steps, physics.max_steps + 3);
+      EXPECT_LE(arrival.steps, physics.max_steps + 1);
     }
     EXPECT_GT(lost, photons.size() / 10);
     EXPECT_LT(lost, photons.size() * 9 / 10);
