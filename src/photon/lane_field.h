@@ -71,15 +71,23 @@ struct LaneField {
   }
 
   /// Arc length along the parabola x + t s + bend s²/2 to the next place where a decision changes,
-  /// or `never`; changes beyond a limit, the last argument, need not be found.
-  [[nodiscard]] R boundary(Vec3<R> x, Vec3<R> t, Vec3<R> bend, R) const {
+  /// or `never`; changes beyond `most` need not be found.
+  [[nodiscard]] R boundary(Vec3<R> x, Vec3<R> t, Vec3<R> bend, R most) const {
     R least(never);
     const R bend2 = dot(bend, bend);
     for (int i = 0; i < scene.mass_count; ++i) {
       const LaneMass& mass = scene.masses[i];
+      // Mostly no influence ends or begins within a step.
+      const R influence(mass.influence);
+      const auto within = inside[i] > R(0);
+      const R reach = influence + select(within, -most, most);
+      const auto nearer = (squares[i] < reach * reach) & (reach > R(0));
+      const auto comes = (within & !nearer) | (nearer & !within);
+      if (!any(comes)) continue;
       const R inward = dot(spread<R>(mass.center) - x, bend);
-      least = min(least, until_sphere_on_curve(inside[i] > R(0), along[i],
-                                               squares[i] - R(mass.influence2), inward, bend2));
+      const R s =
+          until_sphere_on_curve(within, along[i], squares[i] - R(mass.influence2), inward, bend2);
+      least = min(least, select(comes, s, R(never)));
     }
     for (int g = 0; g < scene.gate_count; ++g) {
       const LaneGate& gate = scene.gates[g];
