@@ -45,6 +45,7 @@ void CrowdGrid::choose_size() {
   std::nth_element(radii.begin(), radii.begin() + radii.size() / 2, radii.end());
   const double widest = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
   size_ = std::max(size_share * radii[radii.size() / 2], 1e-3 * widest);
+  if (!(size_ > 0.0)) size_ = 1.0;  // nothing acts anywhere
   for (;; size_ *= 1.25) {
     double cells = 1.0, entries = 0.0;
     for (int a = 0; a < 3; ++a) {

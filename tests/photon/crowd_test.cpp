@@ -293,5 +293,18 @@ TEST(Crowd, MayLieAllAtOnePlaceOrUnderOneGiant) {
 INSTANTIATE_TEST_SUITE_P(, CrowdsIn, testing::ValuesIn(kinds),
                          [](const auto& kind) { return std::string(kind.param.name); });
 
+TEST(Crowd, LiesWhereNothingActsAnywhere) {
+  const Physics physics = physics_with(1e-4, 1e300);
+  const std::vector<Mass> masses(12, mass_at({1, 2, 3}, 1e-60, physics));
+  const Space space = space_with(physics, masses, {}, {});
+  const auto photons = photons_about(40, 1);
+  std::vector<Arrival> arrivals(photons.size());
+  advance(space, photons, arrivals);
+  for (std::size_t i = 0; i < photons.size(); ++i) {
+    EXPECT_EQ(arrivals[i].fate, Fate::escaped);
+    EXPECT_EQ(arrivals[i].direction, photons[i].direction);
+  }
+}
+
 }  // namespace
 }  // namespace portalens::test
