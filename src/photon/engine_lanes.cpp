@@ -227,6 +227,10 @@ class LaneDriver {
     states_[lane] = way.state;
     starts_[lane] = way.start;
     put(lane, way.state, way.start.departure, clear);
+    if (way.start.entered != no_portal) {
+      const std::uint32_t left = space_.portals.portals()[way.start.entered].pair;
+      lanes_.departed[lane] = static_cast<float>(first_departed_portal - static_cast<int>(left));
+    }
     lanes_.length[lane] = static_cast<float>(way.arrival.length);
     lanes_.turning[lane] = static_cast<float>(way.arrival.turning);
     lanes_.steps[lane] = static_cast<float>(way.arrival.steps);

@@ -200,6 +200,8 @@ struct LaneScene {
 
 inline constexpr int first_lone_object = most_lane_masses;
 inline constexpr int first_crowd_object = first_lone_object + most_lane_lone_masses;
+/// Portals that photons leave count downwards from there.
+inline constexpr int first_departed_portal = -2;
 
 /// What a lane's step ended in.
 enum class LaneEvent : std::int32_t {
@@ -220,7 +222,7 @@ struct alignas(64) Lanes {
   float tx[lane_count], ty[lane_count], tz[lane_count];
   float length[lane_count], turning[lane_count], steps[lane_count];
   float live[lane_count];           ///< 1 or 0
-  float departed[lane_count];       ///< shape that the photon leaves, or -1
+  float departed[lane_count];       ///< shape that the photon leaves, or -1; or a portal's front
   float departed_side[lane_count];  ///< on which side it leaves it: 1 or -1
   float clear[lane_count];          ///< nothing that boxes hold is met within that much path
   float event[lane_count];          ///< a LaneEvent

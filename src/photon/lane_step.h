@@ -221,8 +221,11 @@ class LaneStepper {
       const R z0 = dot(path.place.c0 - origin, normal);
       const R z1 = dot(end.position - origin, normal);
       Mask crosses = (z0 >= R(-portal.tolerance)) & (z1 < R(0)) & (z1 < z0);
-      // What has just left its front may lie a float's rounding behind it.
-      if (portal.back > 0.0f) crosses = crosses | ((z0 < R(-scene_.overshoot)) & (z1 >= R(0)));
+      if (portal.back > 0.0f) {
+        // What has just left its front may lie a float's rounding behind it.
+        const Mask left = read(lanes_.departed) == R(first_departed_portal - p);
+        crosses = crosses | ((z0 < R(0)) & (z1 >= R(0)) & !left);
+      }
       if (!any(crosses)) continue;
       const R u =
           crossing(crosses, path.height(z0, normal), max(z0, R(0)) / select(crosses, z0 - z1, R(1)),

@@ -229,6 +229,36 @@ TEST(LanesThroughPolygons, LeaveAFrontWhoseBackIsASurfaceWithoutMeetingThat) {
   }
 }
 
+/// What pulls through a portal ends steps at its plane, behind it too.
+TEST(LanesThroughPolygons, MeetABackWhereAStepEndsCloseBehindIt) {
+  for (const Corners& corners : {triangle, rectangle}) {
+    std::vector<Portal> portals = pair_of(corners, plane({-3, 1.6, -2}, 0.3, 0.2, 0.1),
+                                          plane({3.5, 1.9, -3}, -0.5, -0.1, -0.2));
+    for (Portal& portal : portals) portal.back_material = 0;
+    const Space space = space_of("closest-point", 1, portals);
+    Random random(33);
+    std::vector<Photon> photons;
+    for (int i = 0; i < scaled(4000); ++i) {
+      const Frame& frame = portals[i % 2].frame;
+      const Vec3d at = frame.to_world({random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4), 0.0});
+      const Vec3d from = frame.to_world(
+          {random.uniform(-9, 9), random.uniform(-2, 9), random.uniform(-2.0, -0.3)});
+      photons.push_back(photon_at(from, at - from));
+    }
+    std::vector<Arrival> lanes(photons.size()), scalar(photons.size());
+    advance(space, photons, lanes);
+    advance(space, photons, scalar, Engine::scalar);
+    std::size_t met = 0, missed = 0;
+    for (std::size_t i = 0; i < photons.size(); ++i) {
+      if (scalar[i].met != Met::portal_back) continue;
+      ++met;
+      if (lanes[i].met != Met::portal_back) ++missed;
+    }
+    EXPECT_GT(met, photons.size() / 5);
+    EXPECT_LE(missed, photons.size() / 1000);
+  }
+}
+
 TEST(LanesThroughPolygons, LeaveManyEdgesToTheScalarEngine) {
   const Frame a = plane({-3, 1.6, -2}, 0.3, 0.2), b = plane({3.5, 1.9, -3}, -0.5, -0.1);
   EXPECT_TRUE(space_of("closest-point", 1, pair_of(regular(most_lane_edges), a, b)).lanes);
