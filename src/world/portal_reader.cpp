@@ -16,6 +16,7 @@ namespace {
 constexpr double congruent = 1e-6;
 
 constexpr std::size_t most_vertices = 64;
+constexpr std::size_t most_guessed_at = 1000;  // names a misspelt one is held against
 
 std::vector<Vec3d> as_vectors(const std::vector<Triple>& points) {
   std::vector<Vec3d> vectors;
@@ -74,6 +75,7 @@ void PortalReader::read(Parameters& parameters, const std::string& name, Materia
     }
   }
   (void)read_mass(parameters, name, MassKey::optional, mean(portal.vertices), physics, masses);
+  by_name_.emplace(name, static_cast<std::uint32_t>(portals_.size()));
   portals_.push_back(std::move(read));
 }
 
@@ -84,25 +86,24 @@ std::optional<std::uint32_t> PortalReader::partner(std::uint32_t index) const {
     return std::nullopt;
   };
   if (read.pair.empty()) return std::nullopt;  // already told
-  std::vector<std::string> known;
-  for (std::uint32_t i = 0; i < portals_.size(); ++i) {
-    const Read& other = portals_[i];
-    if (other.portal.name != read.pair) {
-      if (i != index) known.push_back(other.portal.name);
-      continue;
-    }
-    if (i == index)
-      return refuse("portal " + in_quotes(read.pair) + " is its own pair", "name another portal");
-    if (other.pair != read.portal.name)
-      return refuse("portal " + in_quotes(read.portal.name) + " names " + in_quotes(read.pair) +
-                        " as its pair, but " + in_quotes(read.pair) + " names " +
-                        in_quotes(other.pair),
-                    "let the two portals of a pair name each other");
-    return i;
+  const auto found = by_name_.find(read.pair);
+  if (found == by_name_.end()) {
+    std::vector<std::string> known;
+    for (std::uint32_t i = 0; i < portals_.size() && known.size() < most_guessed_at; ++i)
+      if (i != index) known.push_back(portals_[i].portal.name);
+    return refuse(
+        "no portal has the name " + in_quotes(read.pair),
+        known.empty() ? "add the second portal of the pair" : suggestion_or_list(read.pair, known));
   }
-  return refuse(
-      "no portal has the name " + in_quotes(read.pair),
-      known.empty() ? "add the second portal of the pair" : suggestion_or_list(read.pair, known));
+  const Read& other = portals_[found->second];
+  if (found->second == index)
+    return refuse("portal " + in_quotes(read.pair) + " is its own pair", "name another portal");
+  if (other.pair != read.portal.name)
+    return refuse("portal " + in_quotes(read.portal.name) + " names " + in_quotes(read.pair) +
+                      " as its pair, but " + in_quotes(read.pair) + " names " +
+                      in_quotes(other.pair),
+                  "let the two portals of a pair name each other");
+  return found->second;
 }
 
 void PortalReader::check_congruent(const Read& a, const Read& b) const {

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "portal/portal.h"
@@ -37,6 +38,7 @@ class PortalReader {
 
   Faults* faults_;
   std::vector<Read> portals_;
+  std::unordered_map<std::string, std::uint32_t> by_name_;
 };
 
 }  // namespace portalens

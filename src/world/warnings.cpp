@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "core/words.h"
 #include "world/portal_overlap.h"
@@ -13,6 +14,26 @@ namespace portalens {
 namespace {
 
 using Warnings = std::vector<std::string>;
+
+/// A scene may hold pairs by the hundred million. So many items are held against each other, and so
+/// many pairs are told by name.
+constexpr std::size_t most_compared = 5000, most_told = 100;
+
+/// Warns of the pairs j < i of the first `most_compared` of `count` items that overlap.
+template <class Overlap, class Tell>
+void about_pairs(std::string_view items, std::size_t count, const Overlap& overlap,
+                 const Tell& tell, Warnings& warnings) {
+  const std::size_t compared = std::min(count, most_compared);
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < compared; ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (overlap(j, i) && found++ < most_told) warnings.push_back(tell(j, i));
+  if (found > most_told)
+    warnings.push_back(fmt::format("{} more pairs of {} overlap", found - most_told, items));
+  if (count > compared)
+    warnings.push_back(fmt::format("of {} {} the first {} were compared: others may overlap, too",
+                                   count, items, compared));
+}
 
 bool within_horizon(const World& world, const Mass& mass) {
   return mass.horizon && length(world.camera.position - mass.center) <= mass.schwarzschild;
@@ -36,21 +57,23 @@ void about_materials(const World& world, Warnings& warnings) {
 }
 
 void about_masses(const World& world, Warnings& warnings) {
-  const std::vector<Mass>& masses = world.space.masses;
-  for (std::size_t i = 0; i < masses.size(); ++i) {
-    const Mass& a = masses[i];
-    if (!a.horizon && a.core == 0.0)
+  std::vector<const Mass*> holes;
+  for (const Mass& mass : world.space.masses) {
+    if (!mass.horizon && mass.core == 0.0)
       warnings.push_back(fmt::format(
           "mass {} has neither a horizon nor a core: near its centre the pull has no bound",
-          in_quotes(a.name)));
-    if (!a.horizon) continue;
-    for (std::size_t j = 0; j < i; ++j) {
-      const Mass& b = masses[j];
-      if (b.horizon && length(a.center - b.center) < a.schwarzschild + b.schwarzschild)
-        warnings.push_back(
-            fmt::format("the horizons of {} and {} overlap", in_quotes(b.name), in_quotes(a.name)));
-    }
+          in_quotes(mass.name)));
+    if (mass.horizon) holes.push_back(&mass);
   }
+  const auto overlap = [&](std::size_t j, std::size_t i) {
+    return length(holes[i]->center - holes[j]->center) <
+           holes[i]->schwarzschild + holes[j]->schwarzschild;
+  };
+  const auto tell = [&](std::size_t j, std::size_t i) {
+    return fmt::format("the horizons of {} and {} overlap", in_quotes(holes[j]->name),
+                       in_quotes(holes[i]->name));
+  };
+  about_pairs("horizons", holes.size(), overlap, tell, warnings);
 }
 
 /// A surface that no photon can reach, since the horizon of its own mass lies around all of it.
@@ -76,12 +99,15 @@ void about_hidden_bodies(const World& world, Warnings& warnings) {
 
 void about_portals(const World& world, Warnings& warnings) {
   const auto portals = world.space.portals.portals();
-  for (std::size_t i = 0; i < portals.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      if (portals_overlap(portals[j], portals[i]))
-        warnings.push_back(fmt::format(
-            "portals {} and {} lie in one plane and overlap: where they do, the first one counts",
-            in_quotes(portals[j].name), in_quotes(portals[i].name)));
+  const auto overlap = [&](std::size_t j, std::size_t i) {
+    return portals_overlap(portals[j], portals[i]);
+  };
+  const auto tell = [&](std::size_t j, std::size_t i) {
+    return fmt::format(
+        "portals {} and {} lie in one plane and overlap: where they do, the first one counts",
+        in_quotes(portals[j].name), in_quotes(portals[i].name));
+  };
+  about_pairs("portals", portals.size(), overlap, tell, warnings);
 }
 
 void about_light(const World& world, Warnings& warnings) {

@@ -339,6 +339,27 @@ TEST(Bombs, OfMeshesAreRefused) { expect_refused(mesh_bombs()); }
 TEST(Bombs, OfPicturesAreRefused) { expect_refused(picture_bombs()); }
 TEST(Bombs, OfPathsAreRefused) { expect_refused(path_bombs()); }
 
+TEST(Bombs, OfManyThingsInOnePlaceAreHeldInBounds) {
+  if (sanitized) GTEST_SKIP() << "a sanitizer takes address space without end";
+  const std::string place = "vertices = [[0,0,0], [2,0,0], [1,2,0]]\n";
+  std::string portals;
+  for (int i = 0; i < 6000; ++i)
+    portals += "[[portal]]\nname = \"" + std::to_string(i) + "\"\npair = \"" +
+               std::to_string(i ^ 1) + "\"\n" + place;
+  const std::vector<std::string> crowds = {
+      repeated("[[mass]]\ncenter = [0,0,0]\nmass = 1\n", 26'000),
+      repeated("[[sphere]]\ncenter = [0,0,0]\nradius = 1\n", 26'000), portals};
+  for (const std::string& crowd : crowds) {
+    const SceneFolder folder;
+    folder.write("scene.toml", crowd);
+    const Outcome outcome =
+        run_shell(folder.path(), "ulimit -v 4000000; timeout 60" +
+                                     quoted({PORTALENS_PROGRAM, "check", "scene.toml"}));
+    EXPECT_EQ(outcome.code, 0) << crowd.substr(0, 40) << outcome.errors.substr(0, 500);
+    EXPECT_LT(outcome.output.size(), 4 * mega) << crowd.substr(0, 40);
+  }
+}
+
 TEST(Bombs, AreFiftyAtLeast) {
   const std::size_t count = toml_bombs().size() + dialect_bombs().size() + mesh_bombs().size() +
                             picture_bombs().size() + path_bombs().size();

@@ -342,5 +342,27 @@ vertices = [[31,1,0], [33,1,0], [33,3,0], [31,3,0]]
   EXPECT_NE(world.remarks[0].find("within the influence of 'near'"), std::string::npos);
 }
 
+std::string masses_along(int count, double apart) {
+  std::string text = "[environment]\ncolor = [1, 1, 1]\n";
+  for (int i = 0; i < count; ++i)
+    text += "[[mass]]\ncenter = [" + std::to_string(i * apart) + ", 0, 0]\nmass = 1\n";
+  return text;
+}
+
+TEST(Compile, OverlapsAreToldByNameOnlyWhileTheyAreFew) {
+  const World world = compiled(masses_along(300, 0.0));
+  ASSERT_EQ(world.warnings.size(), 101u);
+  EXPECT_EQ(world.warnings.front(), "the horizons of 'mass0' and 'mass1' overlap");
+  EXPECT_EQ(world.warnings.back(), "44750 more pairs of horizons overlap");  // of 300 * 299 / 2
+}
+
+TEST(Compile, OverlapsAreLookedForOnlyAmongTheFirstOfVeryMany) {
+  EXPECT_TRUE(compiled(masses_along(5000, 1.0)).warnings.empty());
+  const World world = compiled(masses_along(5001, 1.0));
+  ASSERT_EQ(world.warnings.size(), 1u);
+  EXPECT_EQ(world.warnings[0],
+            "of 5001 horizons the first 5000 were compared: others may overlap, too");
+}
+
 }  // namespace
 }  // namespace portalens
