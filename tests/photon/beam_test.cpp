@@ -147,16 +147,19 @@ TEST(BeamGuard, SeesAPortalOnTheWayOfAnyPhotonBetween) {
   });
 }
 
-TEST(BeamGuard, SeesAPortalOfSevenCornersOnTheWayOfAnyPhotonBetween) {
-  expect_seen([](Vec3d place, double size) {
-    const auto around = [&](Vec3d middle) {
-      std::vector<Vec3d> corners;
-      for (int i = 0; i < 7; ++i)
-        corners.push_back(middle + Vec3d{std::cos(0.9 * i), std::sin(0.9 * i), 0} * size);
-      return corners;
-    };
-    return space_of({}, {}, portal_pair(around(place), around({0, 40, 0})));
-  });
+TEST(BeamGuard, SeesAPortalOfAnyCornersOnTheWayOfAnyPhotonBetween) {
+  for (const int count : {3, 7})
+    expect_seen([&](Vec3d place, double size) {
+      const auto around = [&](Vec3d middle) {
+        std::vector<Vec3d> corners;
+        for (int i = 0; i < count; ++i) {
+          const double angle = 2.0 * M_PI * i / count;
+          corners.push_back(middle + Vec3d{std::cos(angle), std::sin(angle), 0} * size);
+        }
+        return corners;
+      };
+      return space_of({}, {}, portal_pair(around(place), around({0, 40, 0})));
+    });
 }
 
 /// What the guard says of four ways through these places, a tenth aside of each other, that end on
