@@ -217,6 +217,9 @@ std::string suggestion(std::string_view word, const std::vector<std::string>& kn
   std::size_t least = std::max<std::size_t>(1, std::min<std::size_t>(3, meant.size() / 3)) + 1;
   for (const std::string& candidate : known) {
     const std::string other = bare(candidate);
+    // No distance is less than the difference of the lengths.
+    if (std::max(meant.size(), other.size()) >= least + std::min(meant.size(), other.size()))
+      continue;
     const std::size_t distance = edit_distance(meant, other);
     if (distance < least && distance < std::max(meant.size(), other.size())) {
       least = distance;

@@ -16,7 +16,8 @@ namespace {
 constexpr double congruent = 1e-6;
 
 constexpr std::size_t most_vertices = 64;
-constexpr std::size_t most_guessed_at = 1000;  // names a misspelt one is held against
+constexpr std::size_t most_compared = 1000;  // names a misspelt one is held against
+constexpr std::size_t most_guesses = 100;    // among so many faults nobody needs another
 
 std::vector<Vec3d> as_vectors(const std::vector<Triple>& points) {
   std::vector<Vec3d> vectors;
@@ -88,8 +89,9 @@ std::optional<std::uint32_t> PortalReader::partner(std::uint32_t index) const {
   if (read.pair.empty()) return std::nullopt;  // already told
   const auto found = by_name_.find(read.pair);
   if (found == by_name_.end()) {
+    const bool guess = faults_->size() < most_guesses;
     std::vector<std::string> known;
-    for (std::uint32_t i = 0; i < portals_.size() && known.size() < most_guessed_at; ++i)
+    for (std::uint32_t i = 0; guess && i < portals_.size() && known.size() < most_compared; ++i)
       if (i != index) known.push_back(portals_[i].portal.name);
     return refuse(
         "no portal has the name " + in_quotes(read.pair),

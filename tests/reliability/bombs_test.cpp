@@ -87,7 +87,16 @@ std::string square_portals(int count) {
 
 std::vector<Bomb> toml_bombs() {
   const std::string dots = repeated("a.", 100'000);
+  std::string materials, pairs;
+  for (int i = 0; i < 1000; ++i)
+    materials += "[[material]]\nname = \"" + std::string(24, 'm') + std::to_string(i) + "\"\n";
+  for (int i = 0; i < 12'000; ++i)
+    pairs += "[[portal]]\npair = \"porta" + std::to_string(i) + "\"\n";
+  const std::string unknown =
+      "[[sphere]]\ncenter = [0,0,0]\nradius = 1\nmaterial = \"" + std::string(27, 'n') + "\"\n";
   return {
+      toml("10,000 spheres of misspelt materials", materials + repeated(unknown, 10'000)),
+      toml("12,000 portals of misspelt pairs", pairs),
       toml("lists 10,000 deep", "a = " + std::string(10'000, '[') + std::string(10'000, ']')),
       toml("tables 10,000 deep", "a = " + repeated("{a=", 10'000) + "1"),
       toml("a key of 100,000 dots", dots + "a = 1\n"),
