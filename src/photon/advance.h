@@ -330,10 +330,7 @@ class Tracer {
   [[nodiscard]] std::optional<Encounter> obstacle_on(const Curve& curve) {
     const double h = curve.length();
     if (free_length_ < h) free_length_ = obstacles_.clearance(travel_.state.position, 8.0 * h);
-    if (free_length_ >= h) {
-      free_length_ -= h;
-      return std::nullopt;
-    }
+    if (free_length_ >= h) return std::nullopt;
     const double flatness = 0.5 * space_.physics.tolerance * (travel_.arrival.length + h);
     const double free = std::exchange(free_length_, 0.0);
     return obstacles_.first(curve, free, flatness, travel_.start);
@@ -358,9 +355,10 @@ class Tracer {
     return end(Fate::escaped);
   }
 
-  /// Goes on to the end of a step.
+  /// Goes on to the end of a step or a flight.
   void move_on(State to, double distance, double turned) {
     travel_.state = to;
+    free_length_ = std::fmax(0.0, free_length_ - distance);
     travel_.arrival.length += distance;
     travel_.arrival.turning += turned + extra_turning_;
     extra_turning_ = 0.0;

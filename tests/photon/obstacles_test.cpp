@@ -85,6 +85,28 @@ TEST(Obstacles, APathThatIsBentLessThanRoundingStillMeetsTheWall) {
   }
 }
 
+TEST(Obstacles, AWallWithinAnInfluenceIsMetAfterAFlightFromAnother) {
+  const Physics physics = physics_with(1e-4, 5.0);
+  // Each acts within 2; between them light flies straight on.
+  const std::vector<Mass> masses = {mass_at({0, 0, 0}, 20.0, physics),
+                                    mass_at({12, 0, 0}, 20.0, physics)};
+  const std::array<Vec3d, 4> wall = {{{12, -9, -9}, {12, 9, -9}, {12, 9, 9}, {12, -9, 9}}};
+  const Space space = space_with(physics, masses, {Quad(wall)});
+  Random random(9);
+  for (const Engine engine : {Engine::scalar, Engine::automatic}) {
+    for (int i = 0; i < scaled(2000); ++i) {
+      // Past the masses by so much that none is bent past the wall.
+      const Vec3d through{0, random.uniform(0.5, 1), random.uniform(-1, 1)};
+      const Vec3d to{12, random.uniform(0.5, 1), random.uniform(-1, 1)};
+      const Photon photon = photon_at(through + (through - to) * 0.5, to - through);
+      Arrival arrival;
+      advance(space, {&photon, 1}, {&arrival, 1}, engine);
+      ASSERT_EQ(arrival.fate, Fate::hit) << "photon " << i;
+      ASSERT_NEAR(arrival.position.x, 12.0, 1e-4) << "photon " << i;
+    }
+  }
+}
+
 TEST(Obstacles, AClosedMeshKeepsEveryBentPathInAndOut) {
   const Physics physics = physics_with(1e-4);
   const Vec3d center{3, -1, 2};
