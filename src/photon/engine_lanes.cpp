@@ -206,7 +206,6 @@ class LaneDriver {
   /// @param clear  nothing is met within that much path
   void put(int lane, const State& state, const Departure& departure, double clear) {
     fresh_ |= std::uint32_t{1} << lane;
-    log_.begin(lane);
     const Vec3d x = state.position - plan_.center;
     lanes_.x[lane] = static_cast<float>(x.x);
     lanes_.y[lane] = static_cast<float>(x.y);

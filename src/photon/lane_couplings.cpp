@@ -202,11 +202,11 @@ void add_masses_of_portals(const Space& space, Vec3d center, std::vector<LaneMas
   const auto* coupling = std::get_if<PortalMassCoupling>(&space.coupling);
   if (!coupling) return;
   for (const PortalMassCoupling::Image& image : coupling->images()) {
-    const double gm = gravitational_radius(image.gm, space.physics.c);
+    const auto gm = static_cast<float>(gravitational_radius(image.gm, space.physics.c));
+    const auto core2 = static_cast<float>(image.core2);
     const auto influence = static_cast<float>(image.influence);
-    masses.push_back({narrow(image.center - center), static_cast<float>(gm),
-                      static_cast<float>(image.core2), influence, influence * influence, -1.0f,
-                      1.0f});
+    masses.push_back({narrow(image.center - center), gm, core2, influence, influence * influence,
+                      -1.0f, 1.0f, bare2_of(gm, core2)});
   }
 }
 

@@ -26,8 +26,6 @@ class LaneLog {
     std::copy_n(lanes.length, lane_count, step.length);
     std::copy_n(lanes.turning, lane_count, step.turning);
   }
-  /// What was noted of the lane until now is not asked for.
-  void begin(int lane) { begun_[lane] = count_; }
   /// Adds the lane's places to the trail, but for as many of the last steps; they are told once.
   void tell(int lane, Trail& trail, int but) {
     for (int i = begun_[lane]; i < count_ - but; ++i) {

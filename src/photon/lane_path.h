@@ -94,8 +94,7 @@ struct LanePath {
     place.c3 = bends.template sum<4>(polynomial[1]) * (h2 * R(1.0 / 6.0));
     place.c4 = bends.template sum<4>(polynomial[2]) * (h2 * R(1.0 / 12.0));
     place.c5 = bends.template sum<4>(polynomial[3]) * (h2 * R(1.0 / 20.0));
-    // Each bend counts with a weight of 0 or more at any share of the step, and all of them
-    // together as one that lasts.
+    // At no share of the step do the bends count for more together than one that lasts.
     stray =
         R(0.5) * h2 *
         max(max(span(bends.at[0]), span(bends.at[1])), max(span(bends.at[2]), span(bends.at[3])));

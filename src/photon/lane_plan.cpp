@@ -62,6 +62,7 @@ LaneMass lane_mass(const Mass& mass, Vec3d center, double c) {
   lane.influence2 = lane.influence * lane.influence;
   lane.horizon = mass.has_horizon() ? static_cast<float>(mass.schwarzschild) : -1.0f;
   lane.horizon2 = lane.horizon * lane.horizon;
+  lane.bare2 = mass.has_horizon() ? 0.0f : bare2_of(lane.gm, lane.core2);
   return lane;
 }
 
@@ -175,6 +176,20 @@ Vec3d center_of(const Space& space) {
   return box.empty() ? Vec3d{} : box.middle();
 }
 
+/// Whether some mass or portal is so far from the middle, for its size, that floats can't tell
+/// places by it apart.
+bool is_strewn(const Space& space, Vec3d center) {
+  constexpr double most = 2e4;
+  const auto lost = [&](Vec3d place, double size) { return length(place - center) > most * size; };
+  return std::any_of(space.masses.begin(), space.masses.end(),
+                     [&](const Mass& mass) {
+                       return mass.gm > 0.0 && lost(mass.center, mass.influence);
+                     }) ||
+         std::any_of(
+             space.portals.portals().begin(), space.portals.portals().end(),
+             [&](const Portal& portal) { return lost(portal.frame.origin, portal.longest_edge); });
+}
+
 /// How far from `center` anything lies that a photon can meet or feel.
 double radius_about(const Space& space, Vec3d center) {
   double radius = 0.0;
@@ -198,6 +213,7 @@ std::unique_ptr<const LanePlan> plan_lanes(const Space& space) {
   if (!choose_masses(space, graze, *plan)) return nullptr;
   plan->scene = {};
   plan->center = center_of(space);
+  if (is_strewn(space, plan->center)) return nullptr;
   LaneScene& scene = plan->scene;
   scene.graze2 = static_cast<float>(graze * graze);
   add_masses(space, *plan);

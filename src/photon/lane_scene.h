@@ -24,6 +24,9 @@ struct LaneMass {
   float influence2;
   float horizon;  ///< r_s, or -1 without a horizon
   float horizon2;
+  /// Nearer than the square root of that light winds ever closer round a mass that has no horizon,
+  /// and soon closer than floats can follow.
+  float bare2;
 };
 
 inline constexpr int lane_count = 32;  ///< as many as `LaneStep` has bits

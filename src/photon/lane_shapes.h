@@ -15,6 +15,12 @@ namespace portalens {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
+/// `LaneMass::bare2` of a mass without a horizon: light that comes nearer to a point than m never
+/// leaves it.
+[[nodiscard]] inline float bare2_of(float gm, float core2) {
+  return core2 < gm * gm ? gm * gm : 0.0f;
+}
+
 /// Half width and height of a portal that is a rectangle about its frame, else 0 and 0.
 struct Rectangle {
   double half_width = 0.0, half_height = 0.0;

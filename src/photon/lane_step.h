@@ -71,7 +71,7 @@ class LaneStepper {
     LaneFinding<R> found;
     R doubtful = select(
         flies & (span(x) > R(F::sees_borders_far_off ? scene_.flight_limit : -1.0f)), R(1), R(0));
-    find_horizons(path, end, field, found);
+    find_horizons(path, end, field, found, doubtful);
     find_portals(path, end, found);
     find_polygons(path, end, found, doubtful);
     find_spheres(path, found);
@@ -184,10 +184,13 @@ class LaneStepper {
   }
 
   void find_horizons(const LanePath<R>& path, const StateOf<R>& end, const F& field,
-                     LaneFinding<R>& found) const {
+                     LaneFinding<R>& found, R& doubtful) const {
     for (int i = 0; i < field.mass_count(); ++i) {
       const LaneMass& mass = field.mass(i);
-      if (mass.horizon < 0.0f) continue;
+      if (mass.horizon < 0.0f) {
+        doubtful = select(field.distance2(i) < R(mass.bare2), R(1), doubtful);
+        continue;
+      }
       // Straight on, as far as it may stray from that.
       const R ahead = field.ahead(i), distance2 = field.distance2(i);
       const R reach = path.h + R(mass.horizon), aside = path.stray + R(mass.horizon);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "photon/engine_lanes.h"
@@ -197,6 +198,33 @@ TEST(Lanes, LeaveAnInfluenceThatTheyGrazeWhereItEnds) {
     if (lanes[i].fate == Fate::escaped && scalar[i].fate == Fate::escaped)
       off += length(lanes[i].direction - scalar[i].direction) > 2e-3 ? 1 : 0;
   EXPECT_EQ(off, 0);
+}
+
+/// Light that would come nearer than e m winds into a mass without a horizon, and never comes back.
+TEST(Lanes, FollowLightThatWindsIntoABareMass) {
+  const Physics physics = physics_with(1e-4, 0.05);
+  Mass bare = mass_at({0, 0, 0}, 600, physics);
+  bare.horizon = false;
+  const Space space = space_with(physics, {bare});
+  ASSERT_TRUE(space.lanes);
+  const double m = gravitational_radius(bare.gm, physics.c);
+  Random random(17);
+  std::vector<Photon> photons;
+  for (int i = 0; i < scaled(500); ++i) {
+    const double b = 0.95 * std::exp(1.0) * m * std::sqrt(random.uniform(0.0, 1.0));
+    const double angle = random.uniform(0.0, 6.28);
+    photons.push_back(photon_at({b * std::cos(angle), b * std::sin(angle), 11}, {0, 0, -1}));
+  }
+  std::vector<Arrival> arrivals(photons.size());
+  advance(space, photons, arrivals);
+  for (const Arrival& arrival : arrivals) EXPECT_NE(arrival.fate, Fate::escaped);
+}
+
+TEST(Lanes, LeaveMassesThatFloatsCanNotPlaceToTheScalarEngine) {
+  const Physics physics = physics_with(1e-4, 1.0);
+  const Mass near = mass_at({0, 0, 0}, 400, physics);
+  EXPECT_TRUE(space_with(physics, {near, mass_at({1e4, 0, 0}, 400, physics)}).lanes);
+  EXPECT_FALSE(space_with(physics, {near, mass_at({1e12, 0, 0}, 400, physics)}).lanes);
 }
 
 TEST(Lanes, LeaveWhatTheyCanNotDoToTheScalarEngine) {
