@@ -41,10 +41,11 @@ struct LanePlan {
 };
 
 /// Null where lanes can't do it: a fixed-step integrator, infinite influences, masses or portals so
-/// far from each other that floats can't place them, portals of more edges than `most_lane_edges`, `graviton-map` and `shortest-path` through any that is no
-/// rectangle, `shortest-path` through more than one portal, or more masses, portals, chains or ways
-/// than the lanes have room for: of masses that are not alone `most_lane_masses` where a coupling
-/// looks at each through portals, else `most_lane_crowd`. The scalar engine does all of that.
+/// far from each other that floats can't place them, portals of more edges than `most_lane_edges`,
+/// `graviton-map` and `shortest-path` through any that is no rectangle, `shortest-path` through
+/// more than one portal, or more masses, portals, chains or ways than the lanes have room for: of
+/// masses that are not alone `most_lane_masses` where a coupling looks at each through portals,
+/// else `most_lane_crowd`. The scalar engine does all of that.
 [[nodiscard]] std::unique_ptr<const LanePlan> plan_lanes(const Space& space);
 
 }  // namespace portalens
