@@ -237,9 +237,9 @@ TEST_F(Draw, AHorizonIsDrawnAsLargeAsItIs) {
   const double radius = 2.0 * 200.0 / (45.0 * 45.0) * 50.0;  // pixels
   for (const Mark& mark : drawing.marks) {
     const auto* area = std::get_if<Area>(&mark);
-    if (area && area->meaning == "horizon")
-      for (const Point& corner : area->corners)
-        EXPECT_NEAR(std::hypot(corner.x - 200.0, corner.y - 175.0), radius, 1e-6);
+    if (!area || area->meaning != "horizon") continue;
+    for (const Point& corner : area->corners)
+      EXPECT_NEAR(std::hypot(corner.x - 200.0, corner.y - 175.0), radius, 1e-6);
   }
 }
 
