@@ -20,9 +20,9 @@ constexpr double first_node = 0.5 - coarse_spacing;
 
 /// Third differences of what guides find, pixels: those of a function that is a polynomial of the
 /// third degree but for hundredths of a pixel. What masses do by themselves is smooth between the
-/// borders that the guard looks for: with these, cells of each size are off by as much (of the
-/// smallest, every fourth pixel has a guide of its own). Gravity through portals bends sharply at
-/// more than those borders.
+/// borders that the guard looks for: there the small cells may differ by more, since what they
+/// spare is whole photons, and of the smallest every fourth pixel has a guide of its own. Gravity
+/// through portals bends sharply at more than those borders.
 double most_third_difference(const Space& space, int stride) {
   if (!std::holds_alternative<NoCoupling>(space.coupling)) return 0.5;
   return stride == coarse ? 3.5 : stride == 1 ? 9.0 : 4.5;

@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "photon/engine_lanes.h"
-#include "photon/lane_engines.h"
+#include "support/lanes.h"
 #include "support/random.h"
 #include "support/scale.h"
 #include "support/spaces.h"
@@ -88,13 +87,6 @@ const Kind kinds[] = {{"ThatIsSmall", 9, 2.0},
 
 struct CrowdsIn : testing::TestWithParam<Kind> {};
 
-std::vector<Arrival> in_lanes(const Space& space, const std::vector<Photon>& photons,
-                              std::string_view isa) {
-  std::vector<Arrival> arrivals(photons.size());
-  advance_in_lanes(space, *space.lanes, lane_engine(isa).step, photons, arrivals);
-  return arrivals;
-}
-
 std::vector<Arrival> by_scalar(const Space& space, const std::vector<Photon>& photons) {
   std::vector<Arrival> arrivals(photons.size());
   advance(space, photons, arrivals, Engine::scalar);
@@ -136,16 +128,6 @@ TEST_P(CrowdsIn, LanesLandWhereTheScalarEngineHasThem) {
     EXPECT_LT(lanes.at(0.5), 3.0 * scalar.at(0.5) + 2e-6);
     EXPECT_LT(lanes.at(0.9), 4.0 * scalar.at(0.9) + 1e-5);
   }
-}
-
-void expect_same(const Arrival& a, const Arrival& b, std::size_t photon) {
-  ASSERT_EQ(a.fate, b.fate) << photon;
-  ASSERT_EQ(a.object, b.object) << photon;
-  ASSERT_EQ(a.position, b.position) << photon;
-  ASSERT_EQ(a.direction, b.direction) << photon;
-  ASSERT_EQ(a.turning, b.turning) << photon;
-  ASSERT_EQ(a.length, b.length) << photon;
-  ASSERT_EQ(a.steps, b.steps) << photon;
 }
 
 TEST_P(CrowdsIn, LanesGiveTheSameBitsWithEveryInstructionSetAndInAnyOrder) {

@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <ostream>
 
-#include "photon/engine_lanes.h"
-#include "photon/lane_engines.h"
+#include "support/lanes.h"
 #include "support/random.h"
 #include "support/scale.h"
 #include "support/spaces.h"
@@ -111,13 +110,6 @@ std::vector<Photon> photons_from_all_sides(int count) {
   return photons;
 }
 
-std::vector<Arrival> in_lanes(const Space& space, const std::vector<Photon>& photons,
-                              std::string_view isa) {
-  std::vector<Arrival> arrivals(photons.size());
-  advance_in_lanes(space, *space.lanes, lane_engine(isa).step, photons, arrivals);
-  return arrivals;
-}
-
 /// @param deep  what comes through many portals in a row adds up, and so do its errors
 void expect_as_scalar(const Space& space, const std::vector<Photon>& photons, bool deep) {
   ASSERT_TRUE(space.lanes);
@@ -152,21 +144,7 @@ TEST_P(LanesThroughPolygons, AgreeWithTheScalarEngineWithinFloatButForFewPhotons
 }
 
 TEST_P(LanesThroughPolygons, GiveTheSameBitsWithEveryInstructionSet) {
-  const Space space = space_of(GetParam());
-  ASSERT_TRUE(space.lanes);
-  const auto photons = photons_from_all_sides(scaled(1000));
-  const auto expected = in_lanes(space, photons, "sse4");
-  for (const char* isa : {"avx2", "avx512"}) {
-    if (!lane_engine(isa).step) continue;
-    const auto arrivals = in_lanes(space, photons, isa);
-    for (std::size_t i = 0; i < photons.size(); ++i) {
-      ASSERT_EQ(arrivals[i].position, expected[i].position) << isa << " photon " << i;
-      ASSERT_EQ(arrivals[i].direction, expected[i].direction);
-      ASSERT_EQ(arrivals[i].turning, expected[i].turning);
-      ASSERT_EQ(arrivals[i].steps, expected[i].steps);
-      ASSERT_EQ(arrivals[i].object, expected[i].object);
-    }
-  }
+  expect_same_bits_with_every_set(space_of(GetParam()), photons_from_all_sides(scaled(1000)));
 }
 
 TEST_P(LanesThroughPolygons, APhotonsAnswerDoesNotDependOnItsNeighbours) {

@@ -1,12 +1,12 @@
 // Photons in lanes against the scalar engine, and instruction sets against each other.
+#include "support/lanes.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 
-#include "photon/engine_lanes.h"
-#include "photon/lane_engines.h"
 #include "support/random.h"
 #include "support/scale.h"
 #include "support/spaces.h"
@@ -50,13 +50,6 @@ std::vector<Photon> camera_photons(int count) {
   return photons;
 }
 
-std::vector<Arrival> in_lanes(const Space& space, const std::vector<Photon>& photons,
-                              std::string_view isa) {
-  std::vector<Arrival> arrivals(photons.size());
-  advance_in_lanes(space, *space.lanes, lane_engine(isa).step, photons, arrivals);
-  return arrivals;
-}
-
 class LanesOfCoupling : public testing::TestWithParam<std::pair<const char*, int>> {};
 
 TEST_P(LanesOfCoupling, AgreeWithTheScalarEngineWithinFloatButForFewPhotons) {
@@ -88,21 +81,8 @@ TEST_P(LanesOfCoupling, AgreeWithTheScalarEngineWithinFloatButForFewPhotons) {
 }
 
 TEST_P(LanesOfCoupling, GiveTheSameBitsWithEveryInstructionSet) {
-  const Space space = busy_space(GetParam().first, GetParam().second);
-  ASSERT_TRUE(space.lanes);
-  const auto photons = camera_photons(scaled(5000));
-  const auto expected = in_lanes(space, photons, "sse4");
-  for (const char* isa : {"avx2", "avx512"}) {
-    if (!lane_engine(isa).step) continue;
-    const auto arrivals = in_lanes(space, photons, isa);
-    for (std::size_t i = 0; i < photons.size(); ++i) {
-      ASSERT_EQ(arrivals[i].position, expected[i].position) << isa << " photon " << i;
-      ASSERT_EQ(arrivals[i].direction, expected[i].direction);
-      ASSERT_EQ(arrivals[i].turning, expected[i].turning);
-      ASSERT_EQ(arrivals[i].steps, expected[i].steps);
-      ASSERT_EQ(arrivals[i].object, expected[i].object);
-    }
-  }
+  expect_same_bits_with_every_set(busy_space(GetParam().first, GetParam().second),
+                                  camera_photons(scaled(5000)));
 }
 
 INSTANTIATE_TEST_SUITE_P(Couplings, LanesOfCoupling,

@@ -8,8 +8,7 @@
 #include <cmath>
 
 #include "geometry/closest_point.h"
-#include "photon/engine_lanes.h"
-#include "photon/lane_engines.h"
+#include "support/lanes.h"
 #include "support/random.h"
 #include "support/scale.h"
 #include "support/spaces.h"
@@ -289,25 +288,8 @@ TEST(LoneMasses, AreSteppedThroughBeyondTheirRoom) {
 }
 
 TEST(LoneMasses, AreCrossedWithTheSameBitsByEveryInstructionSet) {
-  const Space space = space_with(lone_physics(), {mass_at_origin()});
-  const auto photons = photons_from({90, 20, 10}, 20.0, scaled(3000));
-  const auto in_lanes = [&](std::string_view isa) {
-    std::vector<Arrival> arrivals(photons.size());
-    advance_in_lanes(space, *space.lanes, lane_engine(isa).step, photons, arrivals);
-    return arrivals;
-  };
-  const auto expected = in_lanes("sse4");
-  for (const char* isa : {"avx2", "avx512"}) {
-    if (!lane_engine(isa).step) continue;
-    const auto arrivals = in_lanes(isa);
-    for (std::size_t i = 0; i < photons.size(); ++i) {
-      ASSERT_EQ(arrivals[i].position, expected[i].position) << isa << " photon " << i;
-      ASSERT_EQ(arrivals[i].direction, expected[i].direction);
-      ASSERT_EQ(arrivals[i].turning, expected[i].turning);
-      ASSERT_EQ(arrivals[i].length, expected[i].length);
-      ASSERT_EQ(arrivals[i].fate, expected[i].fate);
-    }
-  }
+  expect_same_bits_with_every_set(space_with(lone_physics(), {mass_at_origin()}),
+                                  photons_from({90, 20, 10}, 20.0, scaled(3000)));
 }
 
 TEST(LoneMasses, AreCrossedOnTrailsThatHoldTheWay) {
