@@ -5,7 +5,7 @@ DEMO_SCENE ?= scenes/demo.toml
 DEMO_PICTURE ?= $(BUILD)/demo.png
 sources = $(shell find src tests benchmarks fuzz -name '*.h' -o -name '*.cpp')
 
-.PHONY: all demo test test-long fuzz bench format clean
+.PHONY: all demo test test-long differential fuzz bench format clean
 
 all: $(BUILD)/build.ninja
 	@cmake --build $(BUILD) --parallel $(JOBS)
@@ -24,6 +24,13 @@ test: all
 
 test-long: all
 	@cd $(BUILD) && PORTALENS_TEST_SCALE=10 ctest --output-on-failure --parallel $(JOBS)
+
+# So many random scenes by all engines (make differential N=100 SEED=7 DIFFERENTIAL=--minimise).
+N ?= 1000
+SEED ?= 1
+differential: $(BUILD)/build.ninja
+	@cmake --build $(BUILD) --parallel $(JOBS) --target differential
+	@$(BUILD)/tests/differential --scenes $(N) --seed $(SEED) $(DIFFERENTIAL)
 
 # So many seconds for each target (make fuzz FUZZ_SECONDS=1200); what is found lies in build/fuzz.
 FUZZ_SECONDS ?= 60

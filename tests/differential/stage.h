@@ -1,0 +1,29 @@
+/// \file
+/// A scene set up twice, at its own tolerance and at that of the reference, with its photons.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "differential/draft.h"
+#include "photon/engine.h"
+#include "support/scene_folder.h"
+#include "world/world.h"
+
+namespace portalens::differential {
+
+/// What the scalar engine must keep to so that others can be held to it.
+[[nodiscard]] double reference_tolerance(double tolerance);
+
+struct Stage {
+  World own;                    ///< as the scene says
+  World exact;                  ///< at the reference's tolerance, with more steps allowed
+  std::vector<Photon> photons;  ///< one through the middle of each pixel
+};
+
+/// Read and compiled as the program does.
+/// @param folder  where its files are written; what stood there is written over
+/// @throws SceneError if the scene is refused
+[[nodiscard]] Stage set_up(const Draft& draft, const SceneFolder& folder);
+
+}  // namespace portalens::differential
