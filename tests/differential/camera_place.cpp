@@ -55,7 +55,7 @@ bool is_free(Vec3d place, const std::vector<Ball>& balls) {
 }
 
 Vec3d position_of(const std::vector<Ball>& balls, Lot& lot, double half_box) {
-  if (balls.empty() || lot.chance(0.5)) return half_box * lot.uniform(1.0, 2.5) * lot.direction();
+  if (balls.empty() || lot.chance(0.7)) return half_box * lot.uniform(1.2, 2.5) * lot.direction();
   const Ball& ball =
       balls[static_cast<std::size_t>(lot.whole(0, static_cast<int>(balls.size()) - 1))];
   const double share = lot.chance(0.2) ? lot.uniform(0.98, 1.02) : lot.logarithmic(0.2, 3.0);

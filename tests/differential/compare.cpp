@@ -7,6 +7,8 @@
 #include <numbers>
 #include <tuple>
 
+#include "differential/way.h"
+
 namespace portalens::differential {
 namespace {
 
@@ -20,27 +22,10 @@ double thread_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// Portals have tints of their own, so the tint tells which were crossed.
-bool same_way(const Arrival& a, const Arrival& b) {
-  return a.fate == b.fate && a.met == b.met && a.object == b.object && a.crossings == b.crossings &&
-         length(a.tint - b.tint) < 1e-9;
-}
-
-/// Photons that are swallowed, or lost on their way, have no direction that anybody sees.
-bool has_direction(const Arrival& arrival) {
-  return arrival.fate == Fate::hit || arrival.fate == Fate::escaped;
-}
-
-double angle_between(const Arrival& a, const Arrival& b) {
-  const double apart = length(a.direction - b.direction);
-  return std::isfinite(apart) ? apart : std::numeric_limits<double>::infinity();
-}
-
 Difference plain_difference(const Arrival& found, const Arrival& exact, double tolerance) {
   Difference difference;
   difference.other_way = !same_way(found, exact);
-  if (!difference.other_way && has_direction(exact))
-    difference.tolerances = angle_between(found, exact) / tolerance;
+  if (!difference.other_way) difference.tolerances = direction_apart(found, exact) / tolerance;
   return difference;
 }
 

@@ -12,9 +12,9 @@ namespace {
 constexpr double half_box = 5.0;  // where things are, before a scene is placed
 
 void choose_physics(Draft& draft, Lot& lot, double& heaviest) {
-  draft.tolerance = std::pow(10.0, -lot.whole(3, 5));
+  draft.tolerance = std::pow(10.0, -3 - lot.weighted({3, 5, 2}));
   // Of the heaviest mass: its influence, and how compact it is, m / R.
-  const double influence = lot.logarithmic(1.2, 9.0), compactness = lot.logarithmic(0.01, 0.2);
+  const double influence = lot.logarithmic(0.8, 5.0), compactness = lot.logarithmic(0.003, 0.15);
   heaviest = compactness * influence * light_speed2;
   draft.min_force = heaviest / (influence * influence);
 }
@@ -70,28 +70,40 @@ Frame partner_of(const Frame& a, Lot& lot, double size) {
   }
 }
 
+/// Not far from one of the masses; half of them face it.
+Frame frame_near_a_mass(const Draft& draft, Lot& lot, double size) {
+  const int last = static_cast<int>(draft.masses.size()) - 1;
+  const DraftMass& mass = draft.masses[static_cast<std::size_t>(lot.whole(0, last))];
+  const double nearest = std::max(0.5 * size, 0.25 * influence_of(draft, mass.weight.mass));
+  const Vec3d away = lot.direction();
+  const Vec3d origin = mass.center + nearest * lot.logarithmic(1.0, 5.0) * away;
+  return lot.chance(0.5) ? lot.frame(origin) : lot.frame(origin, -away);
+}
+
+/// Masses of the members of the last pair. What acts through a face is not bounded where the
+/// partner weighs, if its closest points count: of such there are few, and they weigh less.
+void add_weights(Draft& draft, Lot& lot, double heaviest) {
+  const bool unbounded = draft.coupling == "closest-point" || draft.coupling == "graviton-map";
+  if (!draft.masses.empty() && !lot.chance(unbounded ? 0.12 : 0.3)) return;
+  for (std::size_t i = draft.portals.size() - 2; i < draft.portals.size(); ++i)
+    if (lot.chance(0.75))
+      draft.portals[i].weight.mass = heaviest * lot.logarithmic(0.02, unbounded ? 0.2 : 1.0);
+}
+
 void add_portals(Draft& draft, Lot& lot, double heaviest) {
   const int pairs = 1 + lot.weighted({6, 2, draft.depth < 3 ? 1.0 : 0.0});
   for (int i = 0; i < pairs; ++i) {
     const double size = lot.logarithmic(0.4, 3.0);
     Frame a = lot.frame(lot.point(half_box));
-    if (!draft.masses.empty() && lot.chance(0.5)) {  // before a mass, or not far from one
-      const DraftMass& mass = draft.masses[static_cast<std::size_t>(
-          lot.whole(0, static_cast<int>(draft.masses.size()) - 1))];
-      a = lot.frame(mass.center + size * lot.logarithmic(0.3, 3.0) * lot.direction());
-      if (lot.chance(0.5)) a = lot.frame(a.origin, normalize(mass.center - a.origin));
-    }
+    if (!draft.masses.empty() && lot.chance(0.25)) a = frame_near_a_mass(draft, lot, size);
     const bool rectangular = draft.coupling == "graviton-map" || draft.coupling == "shortest-path";
     const auto polygon = rectangular && lot.chance(0.8)
                              ? rectangle(1.4 * size, 1.4 * size * lot.logarithmic(0.25, 1.0))
                              : random_polygon(lot, size);
     add_pair(draft, polygon, a, partner_of(a, lot, size));
-    const bool massive = draft.masses.empty() || lot.chance(0.3);
-    for (std::size_t k = draft.portals.size() - 2; k < draft.portals.size(); ++k) {
-      DraftPortal& portal = draft.portals[k];
-      portal.solid_back = lot.chance(0.15);
-      if (massive && lot.chance(0.75)) portal.weight.mass = heaviest * lot.logarithmic(0.05, 1.0);
-    }
+    add_weights(draft, lot, heaviest);
+    for (std::size_t k = draft.portals.size() - 2; k < draft.portals.size(); ++k)
+      draft.portals[k].solid_back = lot.chance(0.15);
   }
 }
 
@@ -132,16 +144,16 @@ Draft free_scene(Lot& lot) {
   static constexpr const char* couplings[] = {"none", "closest-point", "shortest-path",
                                               "graviton-map", "portal-mass"};
   Draft draft;
-  const int kind = lot.weighted({0.22, 0.3, 0.1, 0.2, 0.12, 0.06});
+  const int kind = lot.weighted({0.24, 0.32, 0.1, 0.14, 0.14, 0.06});
   draft.coupling = kind == 0 ? "none" : couplings[kind % 5];
   draft.kind = kind == 0 ? "bare" : draft.coupling;
-  draft.depth = lot.weighted({0.3, 6, 2, 1});
+  draft.depth = lot.weighted({0.3, 6.5, 1.7, 0.8});
   if (draft.coupling == "shortest-path" && lot.chance(0.8)) draft.depth = 1;
   draft.resolution = 4 << lot.whole(1, 3);
   double heaviest = 0.0;
   choose_physics(draft, lot, heaviest);
   const bool through = kind != 0;
-  if (!through || lot.chance(0.9)) add_masses(draft, lot, heaviest);
+  if (!through || lot.chance(0.95)) add_masses(draft, lot, heaviest);
   if (through) add_portals(draft, lot, heaviest);
   add_surfaces(draft, lot, heaviest);
   place_camera(draft, lot, half_box);

@@ -25,11 +25,19 @@ struct Request {
   std::uint64_t scenes = 1000, seed = 1;
   std::optional<std::uint64_t> only;
   std::string save;
+  std::vector<int> film{48, 32};
   int threads = available_threads();
   double limit = usual_limit;
   std::size_t worst = 20;
   bool json = false, hold = false, minimise = false;
 };
+
+Draft scene_of(const Request& request, std::uint64_t index) {
+  Draft draft = random_scene(request.seed, index);
+  draft.width = request.film.front();
+  draft.height = request.film.back();
+  return draft;
+}
 
 Comparison compare_draft(const Draft& draft, double limit) {
   const SceneFolder folder;
@@ -53,7 +61,7 @@ void save(const Draft& draft, const Request& request, std::uint64_t index) {
 
 /// Makes the worst photon's scene small, and tells how to trace it.
 void tell_minimised(const Entry& entry, const Request& request) {
-  const Draft draft = random_scene(request.seed, entry.index);
+  const Draft draft = scene_of(request, entry.index);
   Find find{draft, {}, entry.comparison.lanes.worst_difference};
   {
     const SceneFolder folder;
@@ -75,7 +83,7 @@ std::vector<Entry> compare_all(const Request& request) {
   parallel_for(
       entries.size(), request.threads,
       [&](std::size_t i) {
-        const Draft draft = random_scene(request.seed, first + i);
+        const Draft draft = scene_of(request, first + i);
         if (!request.save.empty()) save(draft, request, first + i);
         entries[i] = {first + i, draft.kind, compare_draft(draft, request.limit)};
         if (const std::size_t count = ++done; count % 10 == 0 || count == entries.size())
@@ -114,6 +122,7 @@ int main(int count, char** words) {
   app.add_option("--seed", request.seed, "Which scenes");
   app.add_option("--only", request.only, "The scene of this number alone")->type_name("INDEX");
   app.add_option("--save", request.save, "Write the scenes there")->type_name("FOLDER");
+  app.add_option("--film", request.film, "Photons of a scene")->expected(2)->type_name("W H");
   app.add_option("--threads", request.threads, "Scenes at a time");
   app.add_option("--limit", request.limit, "Seconds that the reference may take for a scene");
   app.add_option("--worst", request.worst, "How many of the worst scenes are told");
