@@ -62,6 +62,21 @@ std::string written(const DraftPortal& portal, std::size_t index) {
          (portal.solid_back ? "back = \"grey\"\n" : "") + written(portal.weight);
 }
 
+/// Those that something has.
+std::string materials_of(const Draft& draft) {
+  const auto has = [&](bool mirror) {
+    return std::any_of(draft.bodies.begin(), draft.bodies.end(),
+                       [&](const DraftBody& body) { return body.mirror == mirror; });
+  };
+  const bool backs = std::any_of(draft.portals.begin(), draft.portals.end(),
+                                 [](const DraftPortal& portal) { return portal.solid_back; });
+  std::string text;
+  if (backs || has(false)) text += "[[material]]\nname = \"grey\"\ndiffuse = [0.5, 0.5, 0.5]\n";
+  if (has(true))
+    text += "[[material]]\nname = \"mirror\"\ndiffuse = [0, 0, 0]\nreflective = [0.9, 0.9, 0.9]\n";
+  return text;
+}
+
 }  // namespace
 
 std::string mesh_text() {
@@ -87,10 +102,7 @@ std::string to_toml(const Draft& draft, const std::string& comment) {
   fmt::format_to(to, "portal_gravity = \"{}\"\nportal_gravity_depth = {}\n", draft.coupling,
                  draft.depth);
   fmt::format_to(to, "graviton_resolution = {}\n", draft.resolution);
-  text +=
-      "[environment]\ncolor = [0.2, 0.3, 0.5]\n"
-      "[[material]]\nname = \"grey\"\ndiffuse = [0.5, 0.5, 0.5]\n"
-      "[[material]]\nname = \"mirror\"\ndiffuse = [0, 0, 0]\nreflective = [0.9, 0.9, 0.9]\n";
+  text += "[environment]\ncolor = [0.2, 0.3, 0.5]\n" + materials_of(draft);
   for (std::size_t i = 0; i < draft.masses.size(); ++i)
     text +=
         fmt::format("[[mass]]\nname = \"m{}\"\ncenter = {}\n", i, written(draft.masses[i].center)) +

@@ -1,8 +1,10 @@
 // Random scenes, traced in lanes and by the scalar engine, held to the scalar engine at a tolerance
-// of 1e-8: docs/reliability.md tells how to read what comes of it.
+// of 1e-8; or pictures of such, interpolated and not. docs/differential.md tells how to read what
+// comes of it.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <filesystem>
@@ -14,6 +16,7 @@
 
 #include "core/error.h"
 #include "differential/minimise.h"
+#include "differential/picture_table.h"
 #include "differential/random_scene.h"
 #include "differential/table.h"
 #include "render/parallel.h"
@@ -25,18 +28,54 @@ struct Request {
   std::uint64_t scenes = 1000, seed = 1;
   std::optional<std::uint64_t> only;
   std::string save;
-  std::vector<int> film{48, 32};
+  std::vector<int> film;
   int threads = available_threads();
   double limit = usual_limit;
   std::size_t worst = 20;
-  bool json = false, hold = false, minimise = false;
+  bool picture = false, json = false, hold = false, minimise = false;
+
+  [[nodiscard]] Draft scene(std::uint64_t index) const {
+    Draft draft = picture ? random_picture(seed, index) : random_scene(seed, index);
+    if (!film.empty()) {
+      draft.width = film.front();
+      draft.height = film.back();
+    }
+    return draft;
+  }
 };
 
-Draft scene_of(const Request& request, std::uint64_t index) {
-  Draft draft = random_scene(request.seed, index);
-  draft.width = request.film.front();
-  draft.height = request.film.back();
-  return draft;
+/// Writes a scene file, and what it names, if a folder was given.
+void save(const Request& request, const Draft& draft, const std::string& name,
+          const std::string& text) {
+  if (request.save.empty()) return;
+  const std::filesystem::path folder = request.save;
+  std::filesystem::create_directories(folder);
+  if (has_mesh(draft)) std::ofstream(folder / mesh_name) << mesh_text();
+  std::ofstream(folder / name) << text;
+}
+
+void save_whole(const Request& request, const Draft& draft, std::uint64_t index) {
+  save(request, draft, fmt::format("{}-{}.toml", request.seed, index),
+       to_toml(draft, fmt::format("{}: scene {} of seed {}", draft.kind, index, request.seed)));
+}
+
+/// Calls `visit(place, index, draft)` for each scene, on several threads.
+template <class Visit>
+void for_each_scene(const Request& request, std::size_t count, const Visit& visit) {
+  const std::uint64_t first = request.only.value_or(0);
+  std::atomic<std::size_t> done{0};
+  parallel_for(
+      count, request.threads,
+      [&](std::size_t i) {
+        const std::uint64_t index = first + i;
+        const Draft draft = request.scene(index);
+        if (!request.minimise) save_whole(request, draft, index);
+        visit(i, index, draft);
+        if (const std::size_t so_far = ++done; so_far % 10 == 0 || so_far == count)
+          std::cerr << fmt::format("\r{} of {} scenes", so_far, count) << std::flush;
+      },
+      [] { return false; });
+  std::cerr << '\n';
 }
 
 Comparison compare_draft(const Draft& draft, double limit) {
@@ -50,65 +89,74 @@ Comparison compare_draft(const Draft& draft, double limit) {
   }
 }
 
-void save(const Draft& draft, const Request& request, std::uint64_t index) {
-  const std::filesystem::path folder = request.save;
-  std::filesystem::create_directories(folder);
-  if (has_mesh(draft)) std::ofstream(folder / mesh_name) << mesh_text();
-  const std::string name = fmt::format("{}-{}", request.seed, index);
-  std::ofstream(folder / (name + ".toml"))
-      << to_toml(draft, fmt::format("{}: scene {} of seed {}", draft.kind, index, request.seed));
+PictureComparison compare_picture(const Draft& draft) {
+  const SceneFolder folder;
+  try {
+    return compare_pictures(set_up(draft, folder));
+  } catch (const SceneError&) {
+    return {};
+  }
 }
 
 /// Makes the worst photon's scene small, and tells how to trace it.
 void tell_minimised(const Entry& entry, const Request& request) {
-  const Draft draft = scene_of(request, entry.index);
+  const Draft draft = request.scene(entry.index);
   Find find{draft, {}, entry.comparison.lanes.worst_difference};
   {
     const SceneFolder folder;
     find.photon = set_up(draft, folder).photons[entry.comparison.lanes.worst];
   }
   const Find small = minimised(find);
-  const std::string name = fmt::format("{}-{}-small.toml", request.seed, entry.index);
-  const std::string text =
-      to_toml(small.draft, fmt::format("scene {} of seed {}, made small: {}", entry.index,
-                                       request.seed, in_words(small.difference)));
-  if (!request.save.empty()) std::ofstream(std::filesystem::path(request.save) / name) << text;
-  std::cout << '\n' << text << "# " << trace_command(name, small.photon) << '\n';
+  const std::string name = fmt::format("{}-{}.toml", request.seed, entry.index);
+  const std::string comment =
+      fmt::format("{}: scene {} of seed {}, made small; in lanes {}", draft.kind, entry.index,
+                  request.seed, in_words(small.difference));
+  const std::string text = to_toml(small.draft, comment) + answers_of(small) + "# " +
+                           trace_command(name, small.photon) + "\n";
+  save(request, small.draft, name, text);
+  std::cout << '\n' << text;
 }
 
-std::vector<Entry> compare_all(const Request& request) {
-  const std::uint64_t first = request.only.value_or(0);
+/// The table of some scenes, and the worst of them.
+void tell(const std::string& title, const std::vector<Entry>& entries, const Request& request) {
+  if (entries.empty()) return;
+  Tally tally;
+  for (const Entry& entry : entries) tally.add(entry.comparison);
+  const std::vector<Entry> worst = worst_of(entries, request.worst);
+  std::cout << table_of(title, tally) << '\n'
+            << kinds_of(entries) << '\n'
+            << lines_of(worst) << '\n';
+  if (request.minimise)
+    for (const Entry& entry : worst) tell_minimised(entry, request);
+}
+
+int run_photons(const Request& request) {
   std::vector<Entry> entries(request.only ? 1 : request.scenes);
-  std::atomic<std::size_t> done{0};
-  parallel_for(
-      entries.size(), request.threads,
-      [&](std::size_t i) {
-        const Draft draft = scene_of(request, first + i);
-        if (!request.save.empty()) save(draft, request, first + i);
-        entries[i] = {first + i, draft.kind, compare_draft(draft, request.limit)};
-        if (const std::size_t count = ++done; count % 10 == 0 || count == entries.size())
-          std::cerr << fmt::format("\r{} of {} scenes", count, entries.size()) << std::flush;
-      },
-      [] { return false; });
-  std::cerr << '\n';
-  return entries;
+  for_each_scene(request, entries.size(),
+                 [&](std::size_t place, std::uint64_t index, const Draft& draft) {
+                   entries[place] = {index, draft.kind, compare_draft(draft, request.limit)};
+                 });
+  if (request.json) std::cout << json_of(entries);
+  const auto rooms = std::stable_partition(
+      entries.begin(), entries.end(), [](const Entry& entry) { return entry.kind != room_kind; });
+  const std::vector<Entry> free(entries.begin(), rooms), others(rooms, entries.end());
+  if (!request.json) {
+    tell("free scenes", free, request);
+    tell("rooms", others, request);
+  }
+  Tally tally;
+  for (const Entry& entry : free) tally.add(entry.comparison);
+  return request.hold && !holds(tally) ? 1 : 0;
 }
 
-int run(const Request& request) {
-  const std::vector<Entry> entries = compare_all(request);
-  Tally free, rooms;
-  for (const Entry& entry : entries) (entry.kind == "room" ? rooms : free).add(entry.comparison);
-  if (request.json) {
-    std::cout << json_of(entries);
-  } else {
-    if (free.scenes > 0) std::cout << table_of("free scenes", free) << '\n';
-    if (rooms.scenes > 0) std::cout << table_of("rooms", rooms) << '\n';
-    const std::vector<Entry> worst = worst_of(entries, request.worst);
-    std::cout << kinds_of(entries) << '\n' << lines_of(worst);
-    if (request.minimise)
-      for (const Entry& entry : worst) tell_minimised(entry, request);
-  }
-  return request.hold && !holds(free) ? 1 : 0;
+int run_pictures(const Request& request) {
+  std::vector<PictureEntry> entries(request.only ? 1 : request.scenes);
+  for_each_scene(request, entries.size(),
+                 [&](std::size_t place, std::uint64_t index, const Draft& draft) {
+                   entries[place] = {index, draft.kind, compare_picture(draft)};
+                 });
+  std::cout << picture_table(entries, request.worst);
+  return request.hold && !pictures_hold(entries) ? 1 : 0;
 }
 
 }  // namespace
@@ -121,15 +169,21 @@ int main(int count, char** words) {
   app.add_option("-n,--scenes", request.scenes, "How many scenes");
   app.add_option("--seed", request.seed, "Which scenes");
   app.add_option("--only", request.only, "The scene of this number alone")->type_name("INDEX");
-  app.add_option("--save", request.save, "Write the scenes there")->type_name("FOLDER");
-  app.add_option("--film", request.film, "Photons of a scene")->expected(2)->type_name("W H");
+  app.add_option("--save", request.save,
+                 "Write the scenes there; with --minimise, those made small")
+      ->type_name("FOLDER");
+  app.add_option("--film", request.film, "Pixels of a scene, if not 48 x 32 (pictures: 480 x 270)")
+      ->expected(2)
+      ->type_name("W H");
   app.add_option("--threads", request.threads, "Scenes at a time");
   app.add_option("--limit", request.limit, "Seconds that the reference may take for a scene");
   app.add_option("--worst", request.worst, "How many of the worst scenes are told");
   app.add_flag("--minimise", request.minimise, "Make the worst scenes small and print them");
+  app.add_flag("--picture", request.picture,
+               "Pictures: --photons fewer against all, in place of engines against the reference");
   app.add_flag("--hold", request.hold,
                "Exit with 1 if a row of the free scenes is above its bound");
   app.add_flag("--json", request.json, "Print each scene's numbers as JSON");
   CLI11_PARSE(app, count, words);
-  return run(request);
+  return request.picture ? run_pictures(request) : run_photons(request);
 }

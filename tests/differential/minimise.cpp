@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <optional>
 
 #include "core/error.h"
@@ -12,17 +11,11 @@
 namespace portalens::differential {
 namespace {
 
-using Change = std::function<void(Find&)>;
-
-/// How wrong the photon is in lanes; nothing if the scene is refused, or has none.
-std::optional<Difference> difference_in(const Find& find) {
+/// Nothing if the scene is refused, or has no lanes.
+std::optional<Answers> answers_in(const Find& find) {
   const SceneFolder folder;
   try {
-    const Stage stage = set_up(find.draft, folder);
-    if (!takes_lanes(stage.own.space, Engine::automatic)) return std::nullopt;
-    Arrival arrival;
-    advance(stage.own.space, {&find.photon, 1}, {&arrival, 1}, Engine::automatic);
-    return difference_of(stage, find.photon, arrival, exact_arrival(stage, find.photon));
+    return answers_in(set_up(find.draft, folder), find.photon);
   } catch (const SceneError&) {
     return std::nullopt;
   }
@@ -33,32 +26,10 @@ bool is_as_wrong(const Difference& now, const Difference& before) {
   return now.other_way || now.tolerances > std::max(1.0, 0.1 * before.tolerances);
 }
 
-/// Tries a change, and keeps it if the photon stays wrong.
-bool keeps_wrong(Find& find, const Change& change) {
-  Find changed = find;
-  change(changed);
-  const auto difference = difference_in(changed);
-  if (!difference || !is_as_wrong(*difference, find.difference)) return false;
-  find = std::move(changed);
-  return true;
-}
-
 template <class Item>
 void erase(std::vector<Item>& items, std::size_t first, std::size_t count) {
   const auto begin = items.begin() + static_cast<std::ptrdiff_t>(first);
   items.erase(begin, begin + static_cast<std::ptrdiff_t>(count));
-}
-
-/// Drops what can be dropped, from the last to the first.
-bool drop_things(Find& find) {
-  bool any = false;
-  for (std::size_t i = find.draft.masses.size(); i-- > 0;)
-    any |= keeps_wrong(find, [&](Find& f) { erase(f.draft.masses, i, 1); });
-  for (std::size_t i = find.draft.bodies.size(); i-- > 0;)
-    any |= keeps_wrong(find, [&](Find& f) { erase(f.draft.bodies, i, 1); });
-  for (std::size_t i = find.draft.portals.size() / 2; i-- > 0;)
-    any |= keeps_wrong(find, [&](Find& f) { erase(f.draft.portals, 2 * i, 2); });
-  return any;
 }
 
 std::vector<DraftWeight*> weights_of(Draft& draft) {
@@ -69,35 +40,84 @@ std::vector<DraftWeight*> weights_of(Draft& draft) {
   return weights;
 }
 
-/// Takes away what things have, but for the mass of a mass.
-void make_things_plain(Find& find) {
-  const std::size_t masses = find.draft.masses.size();
-  for (std::size_t i = weights_of(find.draft).size(); i-- > 0;) {
-    if (weights_of(find.draft)[i]->mass <= 0.0) continue;
-    if (i >= masses && keeps_wrong(find, [&](Find& f) { *weights_of(f.draft)[i] = DraftWeight{}; }))
-      continue;
-    if (weights_of(find.draft)[i]->core > 0.0)
-      keeps_wrong(find, [&](Find& f) { weights_of(f.draft)[i]->core = 0.0; });
-  }
-  for (std::size_t i = 0; i < find.draft.portals.size(); ++i)
-    if (find.draft.portals[i].solid_back)
-      keeps_wrong(find, [&](Find& f) { f.draft.portals[i].solid_back = false; });
-  keeps_wrong(find, [](Find& f) { f.draft.depth = 1; });
-  keeps_wrong(find, [](Find& f) { f.draft.resolution = 32; });
-  keeps_wrong(find, [](Find& f) { f.draft.coupling = "none"; });
-}
-
 /// So many digits of a number.
 double rounded(double x, int digits) {
   return x == 0.0 ? x : std::strtod(fmt::format("{:.{}e}", x, digits - 1).c_str(), nullptr);
 }
 
-/// As few digits as the photon's way can do with, the fewest first.
-void round_numbers(Find& find) {
-  const auto shorten = [&](const std::function<void(Find&, int)>& change) {
-    for (const int digits : {2, 3, 4, 6})
-      if (keeps_wrong(find, [&](Find& f) { change(f, digits); })) return;
-  };
+/// A find that is made smaller, step by step.
+class Minimiser {
+ public:
+  Minimiser(const Find& find, const Judge& judge) : find_(find), judge_(judge) {}
+
+  /// Drops what can be dropped, from the last to the first.
+  bool drop_things();
+  /// Takes away what things have, but for the mass of a mass, and what is unusual of the settings.
+  void make_things_plain();
+  /// As few digits as the photon's way can do with, the fewest first.
+  void round_numbers();
+
+  [[nodiscard]] const Find& find() const { return find_; }
+
+ private:
+  /// Tries a change, and keeps it if the photon stays wrong.
+  template <class Change>
+  bool keeps_wrong(const Change& change);
+  /// Tries a change with ever more digits.
+  template <class Change>
+  void shorten(const Change& change);
+
+  Find find_;
+  const Judge& judge_;
+};
+
+template <class Change>
+bool Minimiser::keeps_wrong(const Change& change) {
+  Find changed = find_;
+  change(changed);
+  const auto difference = judge_(changed);
+  if (!difference || !is_as_wrong(*difference, find_.difference)) return false;
+  find_ = std::move(changed);
+  return true;
+}
+
+template <class Change>
+void Minimiser::shorten(const Change& change) {
+  for (const int digits : {2, 3, 4, 6})
+    if (keeps_wrong([&](Find& f) { change(f, digits); })) return;
+}
+
+bool Minimiser::drop_things() {
+  bool any = false;
+  for (std::size_t i = find_.draft.masses.size(); i-- > 0;)
+    any |= keeps_wrong([&](Find& f) { erase(f.draft.masses, i, 1); });
+  // What starts on a body knows it by its place among them.
+  const bool starts_on_one = find_.photon.departure.shape != no_object;
+  for (std::size_t i = starts_on_one ? 0 : find_.draft.bodies.size(); i-- > 0;)
+    any |= keeps_wrong([&](Find& f) { erase(f.draft.bodies, i, 1); });
+  for (std::size_t i = find_.draft.portals.size() / 2; i-- > 0;)
+    any |= keeps_wrong([&](Find& f) { erase(f.draft.portals, 2 * i, 2); });
+  return any;
+}
+
+void Minimiser::make_things_plain() {
+  const std::size_t masses = find_.draft.masses.size();
+  for (std::size_t i = weights_of(find_.draft).size(); i-- > 0;) {
+    if (weights_of(find_.draft)[i]->mass <= 0.0) continue;
+    if (i >= masses && keeps_wrong([&](Find& f) { *weights_of(f.draft)[i] = DraftWeight{}; }))
+      continue;
+    if (weights_of(find_.draft)[i]->core > 0.0)
+      keeps_wrong([&](Find& f) { weights_of(f.draft)[i]->core = 0.0; });
+  }
+  for (std::size_t i = 0; i < find_.draft.portals.size(); ++i)
+    if (find_.draft.portals[i].solid_back)
+      keeps_wrong([&](Find& f) { f.draft.portals[i].solid_back = false; });
+  keeps_wrong([](Find& f) { f.draft.depth = 1; });
+  keeps_wrong([](Find& f) { f.draft.resolution = 32; });
+  keeps_wrong([](Find& f) { f.draft.coupling = "none"; });
+}
+
+void Minimiser::round_numbers() {
   const auto point = [](Vec3d v, int digits) {
     return Vec3d{rounded(v.x, digits), rounded(v.y, digits), rounded(v.z, digits)};
   };
@@ -106,11 +126,11 @@ void round_numbers(Find& find) {
     f.photon.direction = normalize(point(f.photon.direction, digits));
   });
   shorten([&](Find& f, int digits) { f.draft.min_force = rounded(f.draft.min_force, digits); });
-  for (std::size_t i = 0; i < find.draft.masses.size(); ++i)
+  for (std::size_t i = 0; i < find_.draft.masses.size(); ++i)
     shorten([&](Find& f, int digits) {
       f.draft.masses[i].center = point(f.draft.masses[i].center, digits);
     });
-  for (std::size_t i = 0; i < weights_of(find.draft).size(); ++i)
+  for (std::size_t i = 0; i < weights_of(find_.draft).size(); ++i)
     shorten([&](Find& f, int digits) {
       DraftWeight& weight = *weights_of(f.draft)[i];
       weight.mass = rounded(weight.mass, digits);
@@ -127,18 +147,50 @@ void look_along(Find& find, double distance) {
   camera.up = std::fabs(direction.y) < 0.9 ? Vec3d{0, 1, 0} : Vec3d{1, 0, 0};
 }
 
+std::string in_words(const Arrival& arrival) {
+  const Vec3d d = arrival.direction;
+  return fmt::format("{} after {} crossings, turning {:.6g}, direction {:.9g} {:.9g} {:.9g}",
+                     fate_names[static_cast<std::size_t>(arrival.fate)], arrival.crossings,
+                     arrival.turning, d.x, d.y, d.z);
+}
+
 }  // namespace
 
-Find minimised(const Find& find) {
-  Find small = find;
-  look_along(small, length(find.draft.camera.target - find.draft.camera.position));
-  while (drop_things(small)) {
+std::optional<Answers> answers_in(const Stage& stage, const Photon& photon) {
+  if (!takes_lanes(stage.own.space, Engine::automatic)) return std::nullopt;
+  Answers answers;
+  advance(stage.own.space, {&photon, 1}, {&answers.lanes, 1}, Engine::automatic);
+  answers.exact = exact_arrival(stage, photon);
+  answers.difference = difference_of(stage, photon, answers.lanes, answers.exact);
+  return answers;
+}
+
+std::string answers_of(const Find& find) {
+  const auto answers = answers_in(find);
+  if (!answers) return {};
+  return fmt::format("# lanes: {}\n# right: {}\n", in_words(answers->lanes),
+                     in_words(answers->exact));
+}
+
+std::optional<Difference> judged_in_lanes(const Find& find) {
+  const auto answers = answers_in(find);
+  if (!answers) return std::nullopt;
+  return answers->difference;
+}
+
+Find minimised(const Find& find, const Judge& judge) {
+  const double ahead = length(find.draft.camera.target - find.draft.camera.position);
+  Find start = find;
+  look_along(start, ahead);
+  Minimiser minimiser(start, judge);
+  while (minimiser.drop_things()) {
   }
-  make_things_plain(small);
-  drop_things(small);
-  round_numbers(small);
-  look_along(small, length(find.draft.camera.target - find.draft.camera.position));
-  if (const auto difference = difference_in(small)) small.difference = *difference;
+  minimiser.make_things_plain();
+  minimiser.drop_things();
+  minimiser.round_numbers();
+  Find small = minimiser.find();
+  look_along(small, ahead);
+  if (const auto difference = judge(small)) small.difference = *difference;
   return small;
 }
 

@@ -8,6 +8,7 @@
 #include "differential/free_scene.h"
 #include "differential/pieces.h"
 #include "differential/way.h"
+#include "portal/portal.h"
 #include "render/lattice.h"
 #include "render/render.h"
 
@@ -37,12 +38,33 @@ struct View {
   }
 };
 
+/// Anywhere in the picture, behind a mass that bends its image to an arc, or before a portal.
+Vec3d place_of_ball(const Draft& draft, Lot& lot, const View& view, double far) {
+  const auto any_of = [&](std::size_t count) {
+    return static_cast<std::size_t>(lot.whole(0, static_cast<int>(count) - 1));
+  };
+  const int where = lot.weighted({0.5, 0.3, 0.2});
+  if (where == 1 && !draft.masses.empty()) {
+    const DraftMass& mass = draft.masses[any_of(draft.masses.size())];
+    const double influence = influence_of(draft, mass.weight.mass);
+    const Vec3d behind = normalize(mass.center - view.frame.origin);
+    return mass.center + influence * (lot.logarithmic(0.3, 4.0) * behind + lot.point(0.1));
+  }
+  if (where == 2 && !draft.portals.empty()) {
+    const std::vector<Vec3d>& corners = draft.portals[any_of(draft.portals.size())].corners;
+    const Frame frame = polygon_frame(corners);
+    const double size = length(corners[1] - corners[0]);
+    return frame.origin + size * (lot.logarithmic(0.5, 5.0) * frame.normal + lot.point(0.3));
+  }
+  return view.place(lot, far * lot.logarithmic(0.2, 3.0));
+}
+
 void add_balls(Draft& draft, Lot& lot, const View& view, double far) {
-  for (int i = lot.whole(2, 8); i > 0; --i) {
+  for (int i = lot.whole(4, 12); i > 0; --i) {
     DraftBody ball;
-    const double distance = far * lot.logarithmic(0.2, 3.0);
-    ball.center = view.place(lot, distance);
-    ball.size = distance * view.pixel * lot.logarithmic(0.4, 3.0);
+    ball.center = place_of_ball(draft, lot, view, far);
+    const double distance = length(ball.center - view.frame.origin);
+    ball.size = std::min(0.5 * distance, distance * view.pixel * lot.logarithmic(0.4, 3.0));
     draft.bodies.push_back(ball);
   }
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "differential/pieces.h"
+#include "differential/random_scene.h"
 
 namespace portalens::differential {
 namespace {
@@ -118,7 +119,7 @@ Draft room_scene(Lot& lot) {
   static constexpr const char* couplings[] = {"closest-point", "none", "shortest-path",
                                               "graviton-map", "portal-mass"};
   Draft draft;
-  draft.kind = "room";
+  draft.kind = room_kind;
   draft.coupling = couplings[lot.weighted({5, 2, 1, 1, 1})];
   draft.depth = 1 + lot.weighted({5, 1});
   draft.tolerance = std::pow(10.0, -lot.whole(3, 5));

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 
+#include "differential/random_scene.h"
 #include "io/read_scene.h"
+#include "shading/shading_point.h"
 #include "world/compile.h"
 
 namespace portalens::differential {
@@ -28,22 +30,50 @@ std::vector<Photon> camera_photons(const World& world) {
   return photons;
 }
 
+/// Those that start on surfaces, where the photons of the camera met them.
+std::vector<Photon> mirrored_photons(const World& world, const std::vector<Photon>& photons) {
+  std::vector<Arrival> arrivals(photons.size());
+  advance(world.space, photons, arrivals, Engine::scalar);
+  const ShadingPoints points(world.space, world.appearance);
+  std::vector<Photon> mirrored;
+  for (const Arrival& arrival : arrivals) {
+    if (arrival.fate != Fate::hit) continue;
+    const ShadingPoint point = points.at(arrival);
+    const double towards = dot(arrival.direction, point.outward);
+    if (towards >= 0.0) continue;
+    Photon photon;
+    photon.position = point.position;
+    photon.direction = normalize(arrival.direction - 2.0 * towards * point.outward);
+    photon.departure = point.leaving(photon.direction);
+    mirrored.push_back(photon);
+  }
+  return mirrored;
+}
+
 }  // namespace
 
 double reference_tolerance(double tolerance) { return std::min(1e-8, 0.01 * tolerance); }
 
+Stage set_up(const std::filesystem::path& file) {
+  World own = compile(read_scene(file));
+  Scene scene = read_scene(file);
+  Faults faults;
+  const double tolerance = reference_tolerance(own.space.physics.tolerance);
+  override_value(scene, fmt::format("physics.tolerance={}", tolerance), faults);
+  override_value(scene, fmt::format("physics.max_steps={}", reference_steps), faults);
+  faults.raise();
+  std::vector<Photon> photons = camera_photons(own);
+  return {std::move(own), compile(scene), std::move(photons)};
+}
+
 Stage set_up(const Draft& draft, const SceneFolder& folder) {
   if (has_mesh(draft)) folder.write(mesh_name, mesh_text());
-  const auto file = folder.write("scene.toml", to_toml(draft, draft.kind));
-  Scene exact = read_scene(file);
-  Faults faults;
-  override_value(exact, fmt::format("physics.tolerance={}", reference_tolerance(draft.tolerance)),
-                 faults);
-  override_value(exact, fmt::format("physics.max_steps={}", reference_steps), faults);
-  faults.raise();
-  World own = compile(read_scene(file));
-  std::vector<Photon> photons = camera_photons(own);
-  return {std::move(own), compile(exact), std::move(photons)};
+  Stage stage = set_up(folder.write("scene.toml", to_toml(draft, draft.kind)));
+  if (is_room(draft)) {
+    const std::vector<Photon> mirrored = mirrored_photons(stage.own, stage.photons);
+    stage.photons.insert(stage.photons.end(), mirrored.begin(), mirrored.end());
+  }
+  return stage;
 }
 
 }  // namespace portalens::differential

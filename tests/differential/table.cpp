@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numeric>
+#include <tuple>
 
 namespace portalens::differential {
 namespace {
@@ -147,7 +147,12 @@ std::vector<Entry> worst_of(const std::vector<Entry>& entries, std::size_t count
   std::copy_if(entries.begin(), entries.end(), std::back_inserter(worst),
                [](const Entry& entry) { return entry.comparison.lanes.worst_difference.counts(); });
   std::stable_sort(worst.begin(), worst.end(), [](const Entry& a, const Entry& b) {
-    return is_worse(a.comparison.lanes.worst_difference, b.comparison.lanes.worst_difference);
+    const Column &x = a.comparison.lanes, &y = b.comparison.lanes;
+    const auto rank = [](const Column& c) {
+      return std::tuple(c.unexplained_ways, c.unexplained_directions);
+    };
+    return rank(x) == rank(y) ? is_worse(x.worst_difference, y.worst_difference)
+                              : rank(x) > rank(y);
   });
   worst.resize(std::min(count, worst.size()));
   return worst;
@@ -158,9 +163,10 @@ std::string lines_of(const std::vector<Entry>& entries) {
   for (const Entry& entry : entries) {
     const Column& lanes = entry.comparison.lanes;
     text += fmt::format(
-        "--only {:<6} {:<14} photon {:>5}: {}; p99 {:.3g}, unexplained {}; scalar: {}\n",
+        "--only {:<6} {:<14} photon {:>5}: {}; p99 {:.3g}, unexplained {} + {}; "
+        "scalar: {}\n",
         entry.index, entry.kind, lanes.worst, in_words(lanes.worst_difference), lanes.p99,
-        lanes.unexplained_ways + lanes.unexplained_directions,
+        lanes.unexplained_ways, lanes.unexplained_directions,
         in_words(entry.comparison.scalar.worst_difference));
   }
   return text;

@@ -57,9 +57,10 @@ struct Row {
 [[nodiscard]] std::string kinds_of(const std::vector<Entry>& entries);
 /// Whether no row of the lanes is above its bound.
 [[nodiscard]] bool holds(const Tally& tally);
-/// At most so many scenes of those that have a photon over the tolerance, the worst first.
+/// At most so many scenes of those that have a photon over the tolerance: first where most is
+/// unexplained.
 [[nodiscard]] std::vector<Entry> worst_of(const std::vector<Entry>& entries, std::size_t count);
-/// A line for each scene, with its worst photon.
+/// A line for each scene, with its worst photon, and how many ways + directions are unexplained.
 [[nodiscard]] std::string lines_of(const std::vector<Entry>& entries);
 /// What is wrong with a photon.
 [[nodiscard]] std::string in_words(const Difference& difference);
