@@ -43,6 +43,11 @@ struct Comparison {
   std::string reason;  ///< why not in lanes, or why the scene is refused
   Column lanes, scalar;
   std::uint64_t reference_steps = 0;
+
+  /// What that engine did.
+  [[nodiscard]] const Column& of(Engine engine) const {
+    return engine == Engine::automatic ? lanes : scalar;
+  }
 };
 
 /// What the reference may take for one scene, seconds of processor time.

@@ -132,12 +132,14 @@ std::vector<std::filesystem::path> finds() {
 
 class Found : public testing::TestWithParam<std::filesystem::path> {};
 
-TEST_P(Found, IsFollowedInLanesToTenTolerances) {
+TEST_P(Found, IsFollowedToTenTolerancesByBothEngines) {
   const KeptFind find = read_find(GetParam());
-  const Difference difference = difference_of(find);
-  const bool right = !difference.other_way && difference.tolerances <= 10.0;
-  if (!right && find.open) GTEST_SKIP() << "open: " << in_words(difference);
-  EXPECT_TRUE(right) << in_words(difference);
+  for (const Engine engine : {Engine::automatic, Engine::scalar}) {
+    const Difference difference = difference_of(find, engine);
+    const bool right = !difference.other_way && difference.tolerances <= 10.0;
+    if (!right && find.open) GTEST_SKIP() << "open: " << in_words(difference);
+    EXPECT_TRUE(right) << in_words(difference);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Finds, Found, testing::ValuesIn(finds()), [](const auto& find) {

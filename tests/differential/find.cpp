@@ -24,10 +24,10 @@ KeptFind read_find(const std::filesystem::path& file) {
   return find;
 }
 
-Difference difference_of(const KeptFind& find) {
+Difference difference_of(const KeptFind& find, Engine engine) {
   const Stage stage = set_up(find.file);
   Arrival arrival;
-  advance(stage.own.space, {&find.photon, 1}, {&arrival, 1}, Engine::automatic);
+  advance(stage.own.space, {&find.photon, 1}, {&arrival, 1}, engine);
   return difference_of(stage, find.photon, arrival, exact_arrival(stage, find.photon));
 }
 

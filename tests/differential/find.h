@@ -19,7 +19,7 @@ struct KeptFind {
 /// @throws std::runtime_error if the file names no photon
 [[nodiscard]] KeptFind read_find(const std::filesystem::path& file);
 
-/// How wrong the photon is today: in lanes, or by the scalar engine where the scene has none.
-[[nodiscard]] Difference difference_of(const KeptFind& find);
+/// How wrong the photon is by an engine today.
+[[nodiscard]] Difference difference_of(const KeptFind& find, Engine engine);
 
 }  // namespace portalens::differential

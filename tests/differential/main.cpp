@@ -32,6 +32,7 @@ struct Request {
   int threads = available_threads();
   double limit = usual_limit;
   std::size_t worst = 20;
+  Engine engine = Engine::automatic;  ///< whose worst is told
   bool picture = false, json = false, hold = false, minimise = false;
 
   [[nodiscard]] Draft scene(std::uint64_t index) const {
@@ -101,18 +102,19 @@ PictureComparison compare_picture(const Draft& draft) {
 /// Makes the worst photon's scene small, and tells how to trace it.
 void tell_minimised(const Entry& entry, const Request& request) {
   const Draft draft = request.scene(entry.index);
-  Find find{draft, {}, entry.comparison.lanes.worst_difference};
+  const Column& column = entry.comparison.of(request.engine);
+  Find find{draft, {}, column.worst_difference};
   {
     const SceneFolder folder;
-    find.photon = set_up(draft, folder).photons[entry.comparison.lanes.worst];
+    find.photon = set_up(draft, folder).photons[column.worst];
   }
-  const Find small = minimised(find);
+  const Find small = minimised(find, judged_by(request.engine));
   const std::string name = fmt::format("{}-{}.toml", request.seed, entry.index);
-  const std::string comment =
-      fmt::format("{}: scene {} of seed {}, made small; in lanes {}", draft.kind, entry.index,
-                  request.seed, in_words(small.difference));
-  const std::string text = to_toml(small.draft, comment) + answers_of(small) + "# " +
-                           trace_command(name, small.photon) + "\n";
+  const std::string comment = fmt::format(
+      "{}: scene {} of seed {}, made small; {} {}", draft.kind, entry.index, request.seed,
+      request.engine == Engine::automatic ? "in lanes" : "scalar", in_words(small.difference));
+  const std::string text = to_toml(small.draft, comment) + answers_of(small, request.engine) +
+                           "# " + trace_command(name, small.photon) + "\n";
   save(request, small.draft, name, text);
   std::cout << '\n' << text;
 }
@@ -122,10 +124,10 @@ void tell(const std::string& title, const std::vector<Entry>& entries, const Req
   if (entries.empty()) return;
   Tally tally;
   for (const Entry& entry : entries) tally.add(entry.comparison);
-  const std::vector<Entry> worst = worst_of(entries, request.worst);
+  const std::vector<Entry> worst = worst_of(entries, request.engine, request.worst);
   std::cout << table_of(title, tally) << '\n'
             << kinds_of(entries) << '\n'
-            << lines_of(worst) << '\n';
+            << lines_of(worst, request.engine) << '\n';
   if (request.minimise)
     for (const Entry& entry : worst) tell_minimised(entry, request);
 }
@@ -178,6 +180,9 @@ int main(int count, char** words) {
   app.add_option("--threads", request.threads, "Scenes at a time");
   app.add_option("--limit", request.limit, "Seconds that the reference may take for a scene");
   app.add_option("--worst", request.worst, "How many of the worst scenes are told");
+  app.add_flag_callback(
+      "--scalar", [&] { request.engine = portalens::Engine::scalar; },
+      "Tell where the scalar engine is worst, not the lanes");
   app.add_flag("--minimise", request.minimise, "Make the worst scenes small and print them");
   app.add_flag("--picture", request.picture,
                "Pictures: --photons fewer against all, in place of engines against the reference");

@@ -11,11 +11,23 @@
 namespace portalens::differential {
 namespace {
 
-/// Nothing if the scene is refused, or has no lanes.
-std::optional<Answers> answers_in(const Find& find) {
+/// What a photon comes to by an engine, and by the reference.
+struct Answers {
+  Arrival found, exact;
+  Difference difference;
+};
+
+/// Nothing if the scene is refused, or has no lanes: it would be another scene then.
+std::optional<Answers> answers_in(const Find& find, Engine engine) {
   const SceneFolder folder;
   try {
-    return answers_in(set_up(find.draft, folder), find.photon);
+    const Stage stage = set_up(find.draft, folder);
+    if (!takes_lanes(stage.own.space, Engine::automatic)) return std::nullopt;
+    Answers answers;
+    advance(stage.own.space, {&find.photon, 1}, {&answers.found, 1}, engine);
+    answers.exact = exact_arrival(stage, find.photon);
+    answers.difference = difference_of(stage, find.photon, answers.found, answers.exact);
+    return answers;
   } catch (const SceneError&) {
     return std::nullopt;
   }
@@ -156,26 +168,19 @@ std::string in_words(const Arrival& arrival) {
 
 }  // namespace
 
-std::optional<Answers> answers_in(const Stage& stage, const Photon& photon) {
-  if (!takes_lanes(stage.own.space, Engine::automatic)) return std::nullopt;
-  Answers answers;
-  advance(stage.own.space, {&photon, 1}, {&answers.lanes, 1}, Engine::automatic);
-  answers.exact = exact_arrival(stage, photon);
-  answers.difference = difference_of(stage, photon, answers.lanes, answers.exact);
-  return answers;
-}
-
-std::string answers_of(const Find& find) {
-  const auto answers = answers_in(find);
+std::string answers_of(const Find& find, Engine engine) {
+  const auto answers = answers_in(find, engine);
   if (!answers) return {};
-  return fmt::format("# lanes: {}\n# right: {}\n", in_words(answers->lanes),
-                     in_words(answers->exact));
+  return fmt::format("# {}: {}\n# right: {}\n", engine == Engine::automatic ? "lanes" : "scalar",
+                     in_words(answers->found), in_words(answers->exact));
 }
 
-std::optional<Difference> judged_in_lanes(const Find& find) {
-  const auto answers = answers_in(find);
-  if (!answers) return std::nullopt;
-  return answers->difference;
+Judge judged_by(Engine engine) {
+  return [engine](const Find& find) -> std::optional<Difference> {
+    const auto answers = answers_in(find, engine);
+    if (!answers) return std::nullopt;
+    return answers->difference;
+  };
 }
 
 Find minimised(const Find& find, const Judge& judge) {

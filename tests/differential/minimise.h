@@ -18,29 +18,20 @@ struct Find {
   Difference difference;
 };
 
-/// What a photon comes to in lanes, and by the reference.
-struct Answers {
-  Arrival lanes, exact;
-  Difference difference;
-};
-
-/// Nothing if the scene has no lanes.
-[[nodiscard]] std::optional<Answers> answers_in(const Stage& stage, const Photon& photon);
-
 /// How wrong a find's photon is; nothing if it can't be told.
 using Judge = std::function<std::optional<Difference>(const Find&)>;
 
-/// Against the reference, in lanes; nothing if the scene is refused, or has none.
-[[nodiscard]] std::optional<Difference> judged_in_lanes(const Find& find);
+/// An engine against the reference; nothing if the scene is refused, or has no lanes.
+[[nodiscard]] Judge judged_by(Engine engine);
 
 /// Drops masses, bodies, pairs of portals, cores, weights and backs, takes usual settings for
 /// unusual ones and rounds numbers, while the photon stays as wrong: of the same
 /// kind, explained or not, and if in direction no less than a tenth of how far it was off. The
 /// camera then looks along the photon.
-[[nodiscard]] Find minimised(const Find& find, const Judge& judge = judged_in_lanes);
+[[nodiscard]] Find minimised(const Find& find, const Judge& judge);
 
-/// Both answers of a find in words, each a line of comment.
-[[nodiscard]] std::string answers_of(const Find& find);
+/// An engine's answer and the reference's, in words, each a line of comment.
+[[nodiscard]] std::string answers_of(const Find& find, Engine engine);
 
 /// The command that traces the photon through that file by the scalar engine.
 [[nodiscard]] std::string trace_command(const std::string& file, const Photon& photon);

@@ -109,6 +109,11 @@ bool is_known(const Arrival& arrival, const std::vector<Arrival>& all, const Fil
   return false;
 }
 
+/// Whether the same surface was hit at another place, farther off than this share of the way.
+bool is_misplaced(const Arrival& found, const Arrival& own, double share) {
+  return own.fate == Fate::hit && length(found.position - own.position) > share * own.length;
+}
+
 }  // namespace
 
 Draft random_picture(std::uint64_t seed, std::uint64_t index) {
@@ -146,6 +151,7 @@ PictureComparison compare_pictures(const Stage& stage) {
     const bool stranger = other_way && !is_known(fewer[i], all, film, x, y);
     comparison.other_way += other_way;
     comparison.over10 += far_off;
+    comparison.misplaced += !other_way && is_misplaced(fewer[i], all[i], 10.0 * tolerance);
     comparison.strangers += stranger;
     if ((stranger && comparison.strangers == 1) ||
         ((other_way || far_off) && comparison.worst_x < 0)) {

@@ -26,6 +26,7 @@ Sums sums_of(const std::vector<PictureEntry>& entries) {
     sums.of.interpolated += c.interpolated;
     sums.of.other_way += c.other_way;
     sums.of.over10 += c.over10;
+    sums.of.misplaced += c.misplaced;
     sums.of.strangers += c.strangers;
   }
   return sums;
@@ -49,6 +50,7 @@ std::string picture_table(const std::vector<PictureEntry>& entries, std::size_t 
   row("off by over 10 tolerances, or another way", errors_in(all),
       fmt::format("{:.4f} %", 100.0 * most_errors));
   row("of these, another way", all.other_way, "");
+  row("hits over 10 tolerances of the way misplaced", all.misplaced, "");
   row("showing what nothing around them shows", all.strangers, "none");
   text += fmt::format("pictures: {}; {} interpolate, {:.1f} % of their {} pixels\n", sums.pictures,
                       sums.interpolating, percent(all.interpolated, all.pixels), all.pixels);

@@ -24,12 +24,13 @@ std::string note_of(const Tally& tally) {
   auto to = std::back_inserter(text);
   std::uint64_t elsewhere = 0;
   for (const auto& [reason, count] : tally.not_in_lanes) elsewhere += count;
-  fmt::format_to(
-      to, "scenes: {}; in lanes {} ({:.1f} %), by the scalar engine {}, timed out {}, refused {}\n",
-      tally.scenes, tally.lanes.scenes,
-      100.0 * ratio(static_cast<double>(tally.lanes.scenes),
-                    static_cast<double>(tally.lanes.scenes + elsewhere)),
-      elsewhere, tally.timed_out, tally.refused);
+  fmt::format_to(to,
+                 "scenes: {}; in lanes {} ({:.1f} % of the photons), by the scalar engine {}, "
+                 "timed out {}, refused {}\n",
+                 tally.scenes, tally.lanes.scenes,
+                 100.0 * ratio(static_cast<double>(tally.lanes.scenes),
+                               static_cast<double>(tally.lanes.scenes + elsewhere)),
+                 elsewhere, tally.timed_out, tally.refused);
   for (const auto& [reason, count] : tally.not_in_lanes)
     fmt::format_to(to, "  by the scalar engine, {}: {}\n", reason, count);
   const auto per_photon = [](double sum, const Sums& sums) {
@@ -43,6 +44,8 @@ std::string note_of(const Tally& tally) {
   };
   engine("lanes", tally.lanes);
   engine("scalar", tally.scalar);
+  fmt::format_to(to, "lanes take {:.3f} of the scalar engine's time in the median scene\n",
+                 median(tally.lanes_to_scalar));
   fmt::format_to(to, "reference: {:.1f} steps\n",
                  per_photon(static_cast<double>(tally.reference_steps), tally.scalar));
   return text;
@@ -72,6 +75,7 @@ void Tally::add(const Comparison& comparison) {
       lanes.add(comparison.lanes);
       scalar.add(comparison.scalar);
       reference_steps += comparison.reference_steps;
+      lanes_to_scalar.push_back(ratio(comparison.lanes.seconds, comparison.scalar.seconds));
       break;
     case Outcome::not_in_lanes:
       ++not_in_lanes[comparison.reason];
@@ -137,17 +141,21 @@ std::string in_words(const Difference& difference) {
 }
 
 bool holds(const Tally& tally) {
-  const std::vector<Row> rows = rows_of(tally.lanes);
-  return std::all_of(rows.begin(), rows.end(),
-                     [](const Row& row) { return row.share() <= row.most; });
+  const auto hold = [](const Sums& sums) {
+    const std::vector<Row> rows = rows_of(sums);
+    return std::all_of(rows.begin(), rows.end(),
+                       [](const Row& row) { return row.share() <= row.most; });
+  };
+  return hold(tally.lanes) && hold(tally.scalar);
 }
 
-std::vector<Entry> worst_of(const std::vector<Entry>& entries, std::size_t count) {
+std::vector<Entry> worst_of(const std::vector<Entry>& entries, Engine engine, std::size_t count) {
   std::vector<Entry> worst;
-  std::copy_if(entries.begin(), entries.end(), std::back_inserter(worst),
-               [](const Entry& entry) { return entry.comparison.lanes.worst_difference.counts(); });
-  std::stable_sort(worst.begin(), worst.end(), [](const Entry& a, const Entry& b) {
-    const Column &x = a.comparison.lanes, &y = b.comparison.lanes;
+  std::copy_if(entries.begin(), entries.end(), std::back_inserter(worst), [&](const Entry& entry) {
+    return entry.comparison.of(engine).worst_difference.counts();
+  });
+  std::stable_sort(worst.begin(), worst.end(), [&](const Entry& a, const Entry& b) {
+    const Column &x = a.comparison.of(engine), &y = b.comparison.of(engine);
     const auto rank = [](const Column& c) {
       return std::tuple(c.unexplained_ways, c.unexplained_directions);
     };
@@ -158,16 +166,17 @@ std::vector<Entry> worst_of(const std::vector<Entry>& entries, std::size_t count
   return worst;
 }
 
-std::string lines_of(const std::vector<Entry>& entries) {
+std::string lines_of(const std::vector<Entry>& entries, Engine engine) {
+  const bool lanes = engine == Engine::automatic;
   std::string text;
   for (const Entry& entry : entries) {
-    const Column& lanes = entry.comparison.lanes;
+    const Column& column = entry.comparison.of(engine);
+    const Column& other = entry.comparison.of(lanes ? Engine::scalar : Engine::automatic);
     text += fmt::format(
-        "--only {:<6} {:<14} photon {:>5}: {}; p99 {:.3g}, unexplained {} + {}; "
-        "scalar: {}\n",
-        entry.index, entry.kind, lanes.worst, in_words(lanes.worst_difference), lanes.p99,
-        lanes.unexplained_ways, lanes.unexplained_directions,
-        in_words(entry.comparison.scalar.worst_difference));
+        "--only {:<6} {:<14} photon {:>5}: {}; p99 {:.3g}, unexplained {} + {}; {}: {}\n",
+        entry.index, entry.kind, column.worst, in_words(column.worst_difference), column.p99,
+        column.unexplained_ways, column.unexplained_directions, lanes ? "scalar" : "lanes",
+        in_words(other.worst_difference));
   }
   return text;
 }

@@ -34,6 +34,7 @@ struct Tally {
   std::uint64_t scenes = 0, timed_out = 0, refused = 0;
   std::map<std::string, std::uint64_t> not_in_lanes;  ///< by reason
   std::uint64_t reference_steps = 0;
+  std::vector<double> lanes_to_scalar;  ///< time of the one to that of the other, of each scene
 
   void add(const Comparison& comparison);
 };
@@ -55,13 +56,15 @@ struct Row {
 [[nodiscard]] std::string table_of(const std::string& title, const Tally& tally);
 /// A line for each kind.
 [[nodiscard]] std::string kinds_of(const std::vector<Entry>& entries);
-/// Whether no row of the lanes is above its bound.
+/// Whether no row of either engine is above its bound.
 [[nodiscard]] bool holds(const Tally& tally);
-/// At most so many scenes of those that have a photon over the tolerance: first where most is
-/// unexplained.
-[[nodiscard]] std::vector<Entry> worst_of(const std::vector<Entry>& entries, std::size_t count);
-/// A line for each scene, with its worst photon, and how many ways + directions are unexplained.
-[[nodiscard]] std::string lines_of(const std::vector<Entry>& entries);
+/// At most so many scenes of those where that engine is over the tolerance for a photon: first
+/// where most is unexplained.
+[[nodiscard]] std::vector<Entry> worst_of(const std::vector<Entry>& entries, Engine engine,
+                                          std::size_t count);
+/// A line for each scene, with that engine's worst photon, how many ways + directions are
+/// unexplained, and what the other engine's worst is.
+[[nodiscard]] std::string lines_of(const std::vector<Entry>& entries, Engine engine);
 /// What is wrong with a photon.
 [[nodiscard]] std::string in_words(const Difference& difference);
 /// All of it as one JSON object.
