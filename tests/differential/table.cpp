@@ -19,20 +19,27 @@ double median(std::vector<double> values) {
 
 double ratio(double a, double b) { return b > 0.0 ? a / b : 0.0; }
 
+std::uint64_t count_of(const std::map<std::string, std::uint64_t>& reasons) {
+  std::uint64_t sum = 0;
+  for (const auto& [reason, count] : reasons) sum += count;
+  return sum;
+}
+
 std::string note_of(const Tally& tally) {
   std::string text;
   auto to = std::back_inserter(text);
-  std::uint64_t elsewhere = 0;
-  for (const auto& [reason, count] : tally.not_in_lanes) elsewhere += count;
+  const auto elsewhere = count_of(tally.not_in_lanes), refused = count_of(tally.refused);
   fmt::format_to(to,
                  "scenes: {}; in lanes {} ({:.1f} % of the photons), by the scalar engine {}, "
                  "timed out {}, refused {}\n",
                  tally.scenes, tally.lanes.scenes,
                  100.0 * ratio(static_cast<double>(tally.lanes.scenes),
                                static_cast<double>(tally.lanes.scenes + elsewhere)),
-                 elsewhere, tally.timed_out, tally.refused);
+                 elsewhere, tally.timed_out, refused);
   for (const auto& [reason, count] : tally.not_in_lanes)
-    fmt::format_to(to, "  by the scalar engine, {}: {}\n", reason, count);
+    fmt::format_to(to, "  by the scalar engine: {}, {}\n", count, reason);
+  for (const auto& [reason, count] : tally.refused)
+    fmt::format_to(to, "  refused: {}, {}\n", count, reason);
   const auto per_photon = [](double sum, const Sums& sums) {
     return ratio(sum, static_cast<double>(sums.photons));
   };
@@ -84,7 +91,7 @@ void Tally::add(const Comparison& comparison) {
       ++timed_out;
       break;
     case Outcome::refused:
-      ++refused;
+      ++refused[comparison.reason];
       break;
   }
 }

@@ -31,8 +31,8 @@ struct Sums {
 
 struct Tally {
   Sums lanes, scalar;
-  std::uint64_t scenes = 0, timed_out = 0, refused = 0;
-  std::map<std::string, std::uint64_t> not_in_lanes;  ///< by reason
+  std::uint64_t scenes = 0, timed_out = 0;
+  std::map<std::string, std::uint64_t> not_in_lanes, refused;  ///< by reason
   std::uint64_t reference_steps = 0;
   std::vector<double> lanes_to_scalar;  ///< time of the one to that of the other, of each scene
 
