@@ -16,6 +16,11 @@
 namespace portalens {
 namespace {
 
+/// Light is left to the scalar engine nearer than this many m to a mass that it is bound by through
+/// a portal. Within e m it winds in; the field of a point of a face may change much faster than the
+/// steps of lanes expect.
+constexpr double too_near = 4.0;
+
 /// Builds the tree of gates that `closest-point` recurses through.
 class GatePlanner {
  public:
@@ -95,7 +100,7 @@ class GatePlanner {
       scene_.fading = scene_.fading || gate.fades[i];
       const double m = gravitational_radius(mass.gm, space_.physics.c);
       const bool binds_light = felt_from(space_.portals.portals()[portal.pair], mass) < m;
-      gate.bare2[i] = binds_light ? static_cast<float>(m * m) : 0.0f;
+      gate.bare2[i] = binds_light ? static_cast<float>(too_near * too_near * m * m) : 0.0f;
       scene_.bare_through = scene_.bare_through || binds_light;
     }
     gate.falls_short = false;
@@ -213,7 +218,7 @@ float bare2_of_way(const Space& space, const ShortestPathCoupling::Image& image,
   const double m = gravitational_radius(image.gm, space.physics.c);
   if (!(felt_from(space.portals.portals()[portal.pair], mass) < m)) return 0.0f;
   scene.bare_through = true;
-  return static_cast<float>(m * m);
+  return static_cast<float>(too_near * too_near * m * m);
 }
 
 /// Chains of one portal only.

@@ -53,11 +53,15 @@ void add_lone_masses(const Space& space, LanePlan& plan) {
   }
 }
 
+/// Floats hold its reciprocal to the third power, and no place is told apart so finely.
+constexpr double least_core2 = 1e-22;
+
 LaneMass lane_mass(const Mass& mass, Vec3d center, double c) {
   LaneMass lane;
   lane.center = narrow(mass.center - center);
   lane.gm = static_cast<float>(gravitational_radius(mass.gm, c));
-  lane.core2 = static_cast<float>(mass.core * mass.core);
+  // Never 0: what does not act is counted as 0 times its pull, also where it stands.
+  lane.core2 = static_cast<float>(std::max(mass.core * mass.core, least_core2));
   lane.influence = static_cast<float>(mass.influence);
   lane.influence2 = lane.influence * lane.influence;
   lane.horizon = mass.has_horizon() ? static_cast<float>(mass.schwarzschild) : -1.0f;
