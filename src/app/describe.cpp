@@ -9,6 +9,8 @@
 #include <variant>
 
 #include "app/machine_memory.h"
+#include "app/report.h"
+#include "render/manner.h"
 #include "render/parallel.h"
 #include "render/render.h"
 
@@ -225,22 +227,24 @@ Json describe_json(const Scene& scene, const World& world) {
   for (const Light& light : world.appearance.lights) lights.push_back(name_of(light));
   std::vector<std::string> notes = world.remarks;
   notes.insert(notes.end(), scene.notes.begin(), scene.notes.end());
-  return {{"scene", world.file.string()},
-          {"camera", camera_json(world.camera)},
-          {"film", {{"width", world.film.width}, {"height", world.film.height}}},
-          {"samples", world.sampling.samples},
-          {"seed", world.sampling.seed},
-          {"physics", physics_json(world.space)},
-          {"gravity_through_portals", gravity_json(world.space)},
-          {"environment", environment.image ? Json("image") : to_json(environment.color)},
-          {"materials", world.appearance.materials.size()},
-          {"objects", bodies_json(world)},
-          {"masses", masses_json(world.space)},
-          {"portals", portals_json(world)},
-          {"lights", lights},
-          {"memory", memory_json(world)},
-          {"warnings", world.warnings},
-          {"notes", notes}};
+  Json json = {{"scene", world.file.string()},
+               {"camera", camera_json(world.camera)},
+               {"film", {{"width", world.film.width}, {"height", world.film.height}}},
+               {"samples", world.sampling.samples},
+               {"seed", world.sampling.seed},
+               {"physics", physics_json(world.space)},
+               {"gravity_through_portals", gravity_json(world.space)},
+               {"environment", environment.image ? Json("image") : to_json(environment.color)},
+               {"materials", world.appearance.materials.size()},
+               {"objects", bodies_json(world)},
+               {"masses", masses_json(world.space)},
+               {"portals", portals_json(world)},
+               {"lights", lights},
+               {"memory", memory_json(world)},
+               {"warnings", world.warnings},
+               {"notes", notes}};
+  add_manner(manner_metadata(manner_of(world, {})), json);
+  return json;
 }
 
 std::string describe_text(const Scene& scene, const World& world) {
@@ -264,6 +268,9 @@ std::string describe_text(const Scene& scene, const World& world) {
                  [](const Light& light) { return "  " + name_of(light) + '\n'; });
   const Environment& environment = world.appearance.environment;
   line("environment", environment.image ? "an image" : place(environment.color));
+  const Metadata manner = manner_metadata(manner_of(world, {}));
+  line("engine", engine_text(manner));
+  line("photons", photon_mode_text(manner));
   line("memory", memory_line(world));
   for (const std::string& warning : world.warnings) text += "warning: " + warning + '\n';
   for (const std::string& remark : world.remarks) text += "note: " + remark + '\n';

@@ -51,12 +51,12 @@ void write_output(const std::filesystem::path& file, const Exposure& exposure,
 void tell(const RenderResult& result, const Provenance& provenance,
           const std::filesystem::path& file, const Telling& telling) {
   if (telling.json) {
-    std::cout << json_line(statistics_json(result, file)) << '\n';
+    std::cout << json_line(statistics_json(result, provenance, file)) << '\n';
   } else if (!telling.quiet) {
     std::cout << fmt::format("{}: {} x {}, {} samples a pixel, {:.2f} s; {}\n", file.string(),
                              result.window.width(), result.window.height(), result.samples.count(),
                              result.seconds, fates_text(result.tally));
-    if (telling.statistics) std::cout << statistics_text(result, provenance.scene_words);
+    if (telling.statistics) std::cout << statistics_text(result, provenance);
   }
   if (!telling.quiet) std::cerr << complaint(result.tally);
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -58,8 +59,8 @@ Scene asked_scene(RenderArguments& arguments) {
 }
 
 Provenance provenance_of(const Scene& scene, const World& world, const RenderArguments& arguments) {
-  Provenance provenance{fingerprint_of(scene, world, arguments.options), world_metadata(world),
-                        scene_words(arguments)};
+  Provenance provenance{fingerprint_of(scene, world, arguments.options),
+                        world_metadata(world, arguments.options), scene_words(arguments)};
   if (!arguments.layers.empty())
     provenance.metadata.emplace_back("portalens:objects", object_list(world));
   return provenance;
@@ -109,6 +110,16 @@ void look_at_memory(const World& world, const Assignment& assignment,
                              memory_text(estimate.total()), memory_text(machine_memory()));
 }
 
+/// What of the scene is probably not meant, before a picture is taken of it.
+void warn(const World& world) {
+  constexpr std::size_t most = 10;
+  const std::vector<std::string>& warnings = world.warnings;
+  for (std::size_t i = 0; i < std::min(most, warnings.size()); ++i)
+    std::cerr << "warning: " << warnings[i] << '\n';
+  if (warnings.size() > most)
+    std::cerr << fmt::format("warning: and {} more, which check tells\n", warnings.size() - most);
+}
+
 int render_scene(RenderArguments& arguments) {
   Signals signals;
   const Scene scene = asked_scene(arguments);
@@ -117,6 +128,7 @@ int render_scene(RenderArguments& arguments) {
   if (!is_part(picture)) check_writable(picture);  // before a scene that takes long to compile
   const World world = compile_with_options(scene, arguments.scene);
   const Assignment assignment = assignment_of(world, asked_options(arguments, world));
+  if (!arguments.quiet) warn(world);
   check_output(picture, assignment);
   look_at_memory(world, assignment, arguments);
   check_replaceable(checkpoint_of(picture));

@@ -86,8 +86,9 @@ void add_work_options(CLI::App& command, RenderArguments& arguments) {
       ->check(CLI::Range(1, 4096));
   command
       .add_option("--engine", arguments.options.engine,
-                  "automatic: photons in lanes of floats where the scene allows it; scalar: one by "
-                  "one in double, the program's own standard")
+                  "automatic: photons in lanes of floats where the scene allows it (check tells "
+                  "whether it does, and why not); scalar: one by one in double, the program's own "
+                  "standard")
       ->transform(one_of(std::map<std::string, Engine>{{"automatic", Engine::automatic},
                                                        {"scalar", Engine::scalar}}))
       ->type_name("automatic|scalar");

@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
+#include <utility>
 
 #include "app/progress_bar.h"
 #include "core/words.h"
+#include "render/manner.h"
 
 namespace portalens {
 namespace {
@@ -26,6 +29,25 @@ std::string time_shares(const Tally& tally) {
   const auto percent = [&](double part) { return whole > 0.0 ? 100.0 * part / whole : 0.0; };
   return fmt::format("{:.1f} % field and surfaces, {:.1f} % shading, {:.1f} % shadow rays",
                      percent(tally.advancing), percent(tally.shading), percent(tally.shadowing));
+}
+
+/// What the header has under that name after "portalens:", or nothing.
+std::string entry(const Metadata& header, std::string_view name) {
+  for (const auto& [key, value] : header)
+    if (key == fmt::format("portalens:{}", name)) return value;
+  return "";
+}
+
+/// "NAME, because WHY", or NAME alone.
+std::string with_reason(const Metadata& header, const std::string& name) {
+  const std::string why = entry(header, name + "_because");
+  return entry(header, name) + (why.empty() ? "" : ", because " + why);
+}
+
+/// How many steps of lanes were left to the scalar engine.
+std::string handed_over_text(const Tally& tally) {
+  return fmt::format("{}, {:.2f} % of all", tally.handed_over,
+                     100.0 * per(tally.handed_over, static_cast<double>(tally.steps)));
 }
 
 Json lost_json(const RenderResult& result) {
@@ -49,13 +71,35 @@ std::string fates_text(const Tally& tally) {
   return text;
 }
 
-std::string statistics_text(const RenderResult& result, const std::string& scene) {
+std::string engine_text(const Metadata& header) {
+  const std::string leaves = entry(header, "engine_leaves");
+  return with_reason(header, "engine") +
+         (leaves.empty() ? "" : "; steps near " + leaves + " are left to the scalar engine");
+}
+
+std::string photon_mode_text(const Metadata& header) { return with_reason(header, "photon_mode"); }
+
+void add_manner(const Metadata& header, Json& json) {
+  const auto text_or_null = [&](const char* name) {
+    const std::string text = entry(header, name);
+    return text.empty() ? Json() : Json(text);
+  };
+  json["engine"] = {{"name", text_or_null("engine")},
+                    {"because", text_or_null("engine_because")},
+                    {"leaves_to_scalar", text_or_null("engine_leaves")}};
+  json["photon_mode"] = {{"name", text_or_null("photon_mode")},
+                         {"because", text_or_null("photon_mode_because")}};
+}
+
+std::string statistics_text(const RenderResult& result, const Provenance& provenance) {
   const Tally& tally = result.tally;
   const auto photons = static_cast<double>(tally.photons);
   std::string text;
   const auto line = [&](const char* name, const std::string& value) {
     text += fmt::format("  {:<16}{}\n", name, value);
   };
+  line("engine", engine_text(provenance.metadata));
+  line("photon mode", photon_mode_text(provenance.metadata));
   line("camera samples", fmt::format("{}", tally.samples));
   line("photons", fmt::format("{}", tally.photons));
   if (tally.interpolated > 0)
@@ -64,6 +108,7 @@ std::string statistics_text(const RenderResult& result, const std::string& scene
     line("", fmt::format("{:<10}{:>12}  {:6.2f} %", fate_names[i], tally.fates[i],
                          100.0 * per(tally.fates[i], photons)));
   line("steps a photon", fmt::format("{:.2f}", per(tally.steps, photons)));
+  if (tally.handed_over > 0) line("left to scalar", handed_over_text(tally));
   line("crossings", fmt::format("{}", tally.crossings));
   line("shadow queries", fmt::format("{}", tally.shadow_queries));
   line("time", fmt::format("{:.2f} s", result.seconds));
@@ -73,16 +118,17 @@ std::string statistics_text(const RenderResult& result, const std::string& scene
                    rounded_count(per(tally.steps, result.seconds))));
   if (!result.lost.empty()) line("lost first", "");
   for (const PixelSample& at : result.lost)
-    text += fmt::format("    portalens trace {} --pixel {} {} --sample {}\n", harmless(scene), at.x,
-                        at.y, at.sample);
+    text += fmt::format("    portalens trace {} --pixel {} {} --sample {}\n",
+                        harmless(provenance.scene_words), at.x, at.y, at.sample);
   return text;
 }
 
-Json statistics_json(const RenderResult& result, const std::filesystem::path& picture) {
+Json statistics_json(const RenderResult& result, const Provenance& provenance,
+                     const std::filesystem::path& picture) {
   const Tally& tally = result.tally;
   Json fates = Json::object();
   for (int i = 0; i < fate_count; ++i) fates[std::string(fate_names[i])] = tally.fates[i];
-  return {
+  Json json = {
       {"picture", picture.string()},
       {"complete", result.completion == Completion::complete},
       {"width", result.window.width()},
@@ -95,6 +141,7 @@ Json statistics_json(const RenderResult& result, const std::filesystem::path& pi
       {"fates", fates},
       {"not_finite", tally.not_finite},
       {"steps", tally.steps},
+      {"steps_handed_over", tally.handed_over},
       {"steps_per_photon", per(tally.steps, static_cast<double>(tally.photons))},
       {"crossings", tally.crossings},
       {"shadow_queries", tally.shadow_queries},
@@ -103,31 +150,37 @@ Json statistics_json(const RenderResult& result, const std::filesystem::path& pi
       {"thread_seconds",
        {{"advance", tally.advancing}, {"shading", tally.shading}, {"shadows", tally.shadowing}}},
       {"photons_per_second", per(tally.photons, result.seconds)}};
+  add_manner(provenance.metadata, json);
+  return json;
 }
 
-Metadata world_metadata(const World& world) {
+Metadata world_metadata(const World& world, const RenderOptions& options) {
   const Physics& physics = world.space.physics;
   const ShadingLimits& limits = world.appearance.limits;
-  return {{"Software", "portalens " PORTALENS_VERSION},
-          {"portalens:scene", world.file.filename().string()},
-          {"portalens:film", fmt::format("{} x {}", world.film.width, world.film.height)},
-          {"portalens:samples", fmt::format("{}", world.sampling.samples)},
-          {"portalens:seed", fmt::format("{}", world.sampling.seed)},
-          {"portalens:G", fmt::format("{}", physics.G)},
-          {"portalens:c", fmt::format("{}", physics.c)},
-          {"portalens:min_force", fmt::format("{}", physics.min_force)},
-          {"portalens:integrator", physics.integrator},
-          {physics.integrator == "adaptive" ? "portalens:tolerance" : "portalens:step",
-           fmt::format("{}", physics.integrator == "adaptive" ? physics.tolerance : physics.step)},
-          {"portalens:max_steps", fmt::format("{}", physics.max_steps)},
-          {"portalens:max_length", fmt::format("{}", physics.max_length)},
-          {"portalens:max_turning", fmt::format("{}", physics.max_turning)},
-          {"portalens:portal_gravity", physics.portal_gravity},
-          {"portalens:portal_gravity_depth", fmt::format("{}", physics.portal_gravity_depth)},
-          {"portalens:max_crossings", fmt::format("{}", world.space.max_crossings)},
-          {"portalens:max_bounces", fmt::format("{}", limits.max_bounces)},
-          {"portalens:shadow_samples", fmt::format("{}", limits.shadow_samples)},
-          {"portalens:ambient", vector_text(limits.ambient)}};
+  Metadata metadata = {
+      {"Software", "portalens " PORTALENS_VERSION},
+      {"portalens:scene", world.file.filename().string()},
+      {"portalens:film", fmt::format("{} x {}", world.film.width, world.film.height)},
+      {"portalens:samples", fmt::format("{}", world.sampling.samples)},
+      {"portalens:seed", fmt::format("{}", world.sampling.seed)},
+      {"portalens:G", fmt::format("{}", physics.G)},
+      {"portalens:c", fmt::format("{}", physics.c)},
+      {"portalens:min_force", fmt::format("{}", physics.min_force)},
+      {"portalens:integrator", physics.integrator},
+      {physics.integrator == "adaptive" ? "portalens:tolerance" : "portalens:step",
+       fmt::format("{}", physics.integrator == "adaptive" ? physics.tolerance : physics.step)},
+      {"portalens:max_steps", fmt::format("{}", physics.max_steps)},
+      {"portalens:max_length", fmt::format("{}", physics.max_length)},
+      {"portalens:max_turning", fmt::format("{}", physics.max_turning)},
+      {"portalens:portal_gravity", physics.portal_gravity},
+      {"portalens:portal_gravity_depth", fmt::format("{}", physics.portal_gravity_depth)},
+      {"portalens:max_crossings", fmt::format("{}", world.space.max_crossings)},
+      {"portalens:max_bounces", fmt::format("{}", limits.max_bounces)},
+      {"portalens:shadow_samples", fmt::format("{}", limits.shadow_samples)},
+      {"portalens:ambient", vector_text(limits.ambient)}};
+  for (auto& entry : manner_metadata(manner_of(world, options)))
+    metadata.push_back(std::move(entry));
+  return metadata;
 }
 
 Metadata result_metadata(const RenderResult& result) {
@@ -158,7 +211,7 @@ std::string complaint(const Tally& tally) {
   };
   add(count_of(tally, Fate::lost),
       "photons were lost (shading.lost_color): they ran out of physics.max_steps, "
-      "physics.max_length or shading.max_crossings");
+      "physics.max_length or shading.max_crossings, or came where a pull has no bound");
   add(count_of(tally, Fate::trapped),
       "photons were trapped (black): they turned by more than physics.max_turning");
   add(tally.not_finite,

@@ -7,6 +7,7 @@
 
 #include "app/json.h"
 #include "io/image.h"
+#include "render/piece_head.h"
 #include "render/render.h"
 
 namespace portalens {
@@ -14,17 +15,26 @@ namespace portalens {
 /// "98.20 % hit, 1.80 % escaped": the shares of all photons, without those that are 0.
 [[nodiscard]] std::string fates_text(const Tally& tally);
 
+/// By which engine the photons go, and why, from what the header tells (`manner_metadata`): a line
+/// for people, as "scalar, because ...".
+[[nodiscard]] std::string engine_text(const Metadata& header);
+/// Whether every sample has a photon of its own, likewise.
+[[nodiscard]] std::string photon_mode_text(const Metadata& header);
+/// Adds both to what is printed for programs.
+void add_manner(const Metadata& header, Json& json);
+
 /// What `--stats` prints: several lines, and a command for each of the first samples that lost a
 /// photon.
-/// @param scene  the scene and its settings, as words of a command line
-[[nodiscard]] std::string statistics_text(const RenderResult& result, const std::string& scene);
+/// @param provenance  with the scene and its settings as words of a command line
+[[nodiscard]] std::string statistics_text(const RenderResult& result, const Provenance& provenance);
 
 /// What `--json` prints.
-[[nodiscard]] Json statistics_json(const RenderResult& result,
+[[nodiscard]] Json statistics_json(const RenderResult& result, const Provenance& provenance,
                                    const std::filesystem::path& picture);
 
-/// What an EXR file keeps of the scene and the settings from which it was made.
-[[nodiscard]] Metadata world_metadata(const World& world);
+/// What an EXR file keeps of the scene, the settings and the ways of photons from which it was
+/// made.
+[[nodiscard]] Metadata world_metadata(const World& world, const RenderOptions& options);
 /// What it keeps besides: which part of the picture it is, and how its photons ended. The same
 /// picture has the same.
 [[nodiscard]] Metadata result_metadata(const RenderResult& result);

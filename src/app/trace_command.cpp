@@ -181,7 +181,8 @@ int trace_photons(const TraceArguments& arguments) {
 
 void add_trace_command(CLI::App& program, Command& chosen) {
   const auto arguments = std::make_shared<TraceArguments>();
-  CLI::App& command = *program.add_subcommand("trace", "Follow single photons");
+  CLI::App& command = *program.add_subcommand(
+      "trace", "Follow single photons, by the scalar engine: one by one in double");
   add_scene_options(command, arguments->scene);
   CLI::Option* ray =
       command.add_option("--ray", arguments->ray, "One photon: where it starts, and its direction")

@@ -94,13 +94,15 @@ double ClosestPointCoupling::calm(Vec3d x, int depth, std::uint32_t left_out) co
 
 Pull ClosestPointCoupling::direct(Vec3d x, Vec3d anchor) const {
   Pull total;
+  // Rounding leads places of the faces no further astray.
+  const double at = 1e-3 * gates_.front().face.height_tolerance(), at2 = at * at;
   for (const Source& source : sources_) {
     const Vec3d from_anchor = source.center - anchor;
     if (!(dot(from_anchor, from_anchor) < source.influence2)) continue;
     const Vec3d to_mass = source.center - x;
     const double square = dot(to_mass, to_mass) + source.core2;
-    // Exactly at a point mass no direction is better than another.
-    if (!(square > 0.0)) continue;
+    // At a point mass no direction is better than another.
+    if (!(square > at2)) continue;
     total.acceleration += attraction(to_mass, source.gm, source.core2);
     const double inverse2 = 1.0 / square;
     total.stiffness += source.gm * inverse2 * inverse2 * std::sqrt(inverse2);

@@ -157,6 +157,8 @@ class Tracer {
         curve = try_step(h);
       }
     }
+    // Where a pull has no bound. Nothing is met on a way that is no number.
+    if (!is_finite(end_.position) || !is_finite(end_.direction)) return end(Fate::lost);
     const auto swallowed = first_horizon(space_.masses, vicinity_.near(), curve);
     const double limit = swallowed ? swallowed->distance : std::numeric_limits<double>::infinity();
     const auto met = obstacle_on(curve);

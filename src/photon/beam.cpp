@@ -12,8 +12,6 @@
 namespace portalens {
 namespace {
 
-/// More would take longer than the photons that are saved.
-constexpr std::size_t most_obstacles = 256;
 /// The beam is taken wider than the four trails are from its middle.
 constexpr float widening = 1.1f;
 /// How often a piece of a beam is halved that comes near an obstacle.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <optional>
@@ -25,6 +26,8 @@ using Reached = float __attribute__((vector_size(16)));
 /// influences that run along between them. Immutable, safe from any thread; borrows the space.
 class BeamGuard {
  public:
+  /// More would take longer than the photons that are saved.
+  static constexpr std::size_t most_obstacles = 256;
   /// Whether there is not too much to look through for every beam.
   [[nodiscard]] static bool can_guard(const Space& space);
   /// Null where it can't.

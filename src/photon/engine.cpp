@@ -22,6 +22,13 @@ bool takes_lanes(const Space& space, Engine engine) {
   return engine == Engine::automatic && space.lanes && lane_engine().step;
 }
 
+std::string why_no_lanes(const Space& space, Engine engine) {
+  if (takes_lanes(space, engine)) return "";
+  if (engine == Engine::scalar) return "it is asked for (--engine scalar)";
+  if (!space.lanes) return space.no_lanes_because;
+  return "this processor has not the instructions that lanes need (SSE 4.2)";
+}
+
 void advance(const Space& space, std::span<const Photon> photons, std::span<Arrival> arrivals,
              Engine engine) {
   assert(photons.size() == arrivals.size());

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "photon/photon.h"
@@ -30,6 +31,8 @@ void advance(const Space& space, std::span<const Photon> photons, std::span<Arri
 
 /// Whether that engine advances photons of the space in lanes.
 [[nodiscard]] bool takes_lanes(const Space& space, Engine engine);
+/// Why it does not, as a `LaneChoice` says it; empty where it does.
+[[nodiscard]] std::string why_no_lanes(const Space& space, Engine engine);
 
 /// The same in lanes, with the trails of the first photons in few words.
 /// @param trails  what they told before is forgotten

@@ -63,7 +63,7 @@ class LaneDriver {
     const bool whole = (whole_ >> lane & 1) != 0;
     if (whole) arrival = Arrival{};
     const double begun = arrival.length;
-    State state = fresh ? put_state(lane) : state_of(lane);
+    const State state = fresh ? put_state(lane) : state_of(lane);
     const double length = fresh ? begun : lanes_.length[lane];
     if (!fresh) {
       arrival.length = length;
@@ -74,17 +74,22 @@ class LaneDriver {
       consult(lane, event, object, state, begun);
       return;
     }
+    arrival.position = state.position;
+    arrival.direction = state.direction;
+    if (!is_finite(state.position) || !is_finite(state.direction)) {
+      arrival.fate = Fate::lost;
+      end(lane);
+      return;
+    }
     arrival.fate = Fate::escaped;
     if (event == LaneEvent::hit) {
       arrival.fate = Fate::hit;
       arrival.met = Met::surface;
       arrival.object = object;
       const double rest = distance_to_surface(object, {state.position, state.direction}, length);
-      state.position += state.direction * rest;
+      arrival.position += state.direction * rest;
       arrival.length = length + rest;
     }
-    arrival.position = state.position;
-    arrival.direction = state.direction;
     end(lane);
   }
 
@@ -102,8 +107,11 @@ class LaneDriver {
     const bool arrived = event == LaneEvent::portal    ? meet_portal(way, object)
                          : event == LaneEvent::horizon ? scalar_.absorb(plan_.mass_of(object))
                                                        : scalar_.one_step();
+    const std::uint32_t handed_over =
+        arrival.handed_over + scalar_.way().arrival.steps - arrival.steps;
     if (arrived || scalar_.gives_up()) {
       arrival = scalar_.way().arrived();
+      arrival.handed_over = handed_over;
       end(lane);
     } else {
       if (is_told(lane) && scalar_.way().arrival.crossings != arrival.crossings) {
@@ -111,6 +119,7 @@ class LaneDriver {
         event == LaneEvent::portal ? told.cross(object) : told.lose_sight();
       }
       arrival = scalar_.way().arrival;
+      arrival.handed_over = handed_over;
       if (is_told(lane)) note_place(lane, scalar_.way().state);
       put_back(lane, scalar_.way(), scalar_.free_length());
     }

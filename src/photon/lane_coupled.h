@@ -10,6 +10,7 @@ namespace portalens {
 /// `acting`, `acceleration`, `boundary`, `sees_borders_far_off`, and
 ///   R first_change(Mask which, const LanePath<R>& path, Vec3<R> end) const;
 ///   void add_to(LaneBending<R>& sum, Vec3<R> x, Vec3<R> t) const;
+///   Mask too_near(Vec3<R> x) const;
 template <class R, class Through>
 struct LaneCoupled {
   LaneField<R> direct;
@@ -35,6 +36,7 @@ struct LaneCoupled {
   [[nodiscard]] R first_change(typename R::Mask which, const LanePath<R>& path, Vec3<R> end) const {
     return through.first_change(which, path, end);
   }
+  [[nodiscard]] typename R::Mask too_near(Vec3<R> x) const { return through.too_near(x); }
   [[nodiscard]] int mass_count() const { return direct.mass_count(); }
   [[nodiscard]] const LaneMass& mass(int i) const { return direct.mass(i); }
   [[nodiscard]] static int object_of(int i) { return i; }

@@ -1,16 +1,25 @@
 #include "photon/lane_couplings.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <variant>
 
+#include "core/words.h"
 #include "gravity/attraction.h"
+#include "gravity/bound_light.h"
 #include "gravity/portal_face.h"
 #include "photon/lane_shapes.h"
 #include "photon/space.h"
 
 namespace portalens {
 namespace {
+
+/// Light is left to the scalar engine nearer than this many m to a mass that it is bound by through
+/// a portal. Within e m it winds in; the field of a point of a face may change much faster than the
+/// steps of lanes expect.
+constexpr double too_near = 4.0;
 
 /// Builds the tree of gates that `closest-point` recurses through.
 class GatePlanner {
@@ -22,10 +31,22 @@ class GatePlanner {
         masses_(plan.stepped),
         scene_(plan.scene) {}
 
-  /// False if there is not room enough.
-  [[nodiscard]] bool plan() { return add(coupling_.depth(), -1, no_portal, nullptr); }
+  /// Why it is not possible; empty where it is.
+  [[nodiscard]] std::string plan() {
+    if (add(coupling_.depth(), -1, no_portal, nullptr)) return "";
+    if (masses_.size() > most_lane_masses)
+      return fmt::format(
+          "through portals {} masses act (lanes take {}; with physics.portal_gravity = "
+          "\"portal-mass\" or \"none\" they take more)",
+          masses_.size(), most_lane_masses);
+    return fmt::format(
+        "closest-point goes through portals in more than {} ways (a smaller "
+        "physics.portal_gravity_depth has fewer)",
+        most_lane_gates);
+  }
 
  private:
+  /// False if there is not room enough.
   [[nodiscard]] bool add(int depth, int parent, std::uint32_t left_out, const Portal* entered) {
     const auto portals = space_.portals.portals();
     if (depth <= 0) return true;
@@ -74,8 +95,13 @@ class GatePlanner {
       const Vec3d seen = beyond.to_local(space_.masses[masses_[i]].center);
       const Vec3d image{-seen.x, seen.y, -seen.z};
       gate.images[i] = narrow(image);
-      gate.fades[i] = ends_on(portal, frame.to_world(image), space_.masses[masses_[i]].influence);
+      const Mass& mass = space_.masses[masses_[i]];
+      gate.fades[i] = ends_on(portal, frame.to_world(image), mass.influence);
       scene_.fading = scene_.fading || gate.fades[i];
+      const double m = gravitational_radius(mass.gm, space_.physics.c);
+      const bool binds_light = felt_from(space_.portals.portals()[portal.pair], mass) < m;
+      gate.bare2[i] = binds_light ? static_cast<float>(too_near * too_near * m * m) : 0.0f;
+      scene_.bare_through = scene_.bare_through || binds_light;
     }
     gate.falls_short = false;
     if (entered)
@@ -147,9 +173,16 @@ void add_nodes(const GravitonGrid& grid, double inverse_c2, LanePlan& plan) {
     }
 }
 
-void add_maps(const Space& space, const GravitonMapCoupling& coupling, LanePlan& plan) {
+[[nodiscard]] std::string add_maps(const Space& space, const GravitonMapCoupling& coupling,
+                                   LanePlan& plan) {
   const auto portals = space.portals.portals();
   const double inverse_c2 = 1.0 / (space.physics.c * space.physics.c);
+  const auto bound = bound_light(GravitonMapCoupling::name, portals, space.masses, space.physics.c);
+  if (!bound.empty())
+    return fmt::format(
+        "the map of portal {} holds a pull of mass {} without a bound (a "
+        "core_radius gives it one)",
+        in_quotes(portals[bound[0].portal].name), in_quotes(space.masses[bound[0].mass].name));
   std::vector<std::size_t> first;
   for (std::uint32_t a = 0; a < portals.size(); ++a) {
     const double reach = coupling.exact().reach(a);
@@ -164,17 +197,43 @@ void add_maps(const Space& space, const GravitonMapCoupling& coupling, LanePlan&
     plan.scene.maps[i].nodes = plan.map_nodes.data() + 4 * first[i];
     plan.scene.maps[i].cells = plan.map_cells.data() + 2 * first[i];
   }
+  return "";
+}
+
+/// Says which portal is no rectangle; empty where all are.
+[[nodiscard]] std::string odd_portal(const Space& space) {
+  for (const Portal& portal : space.portals.portals())
+    if (!(rectangle_of(portal).half_width > 0.0))
+      return fmt::format(
+          "portal {} is no rectangle, as lanes want it for {} (with closest-point "
+          "they take any of up to {} edges)",
+          in_quotes(portal.name), space.physics.portal_gravity, most_lane_edges);
+  return "";
+}
+
+/// `LaneWay::bare2` of a way through one portal.
+float bare2_of_way(const Space& space, const ShortestPathCoupling::Image& image,
+                   const Portal& portal, LaneScene& scene) {
+  const Mass& mass = space.masses[image.mass];
+  const double m = gravitational_radius(image.gm, space.physics.c);
+  if (!(felt_from(space.portals.portals()[portal.pair], mass) < m)) return 0.0f;
+  scene.bare_through = true;
+  return static_cast<float>(too_near * too_near * m * m);
 }
 
 /// Chains of one portal only.
-[[nodiscard]] bool add_ways(const Space& space, const ShortestPathCoupling& coupling,
-                            LanePlan& plan) {
+[[nodiscard]] std::string add_ways(const Space& space, const ShortestPathCoupling& coupling,
+                                   LanePlan& plan) {
   LaneScene& scene = plan.scene;
-  if (coupling.images().size() > most_lane_ways) return false;
+  if (coupling.images().size() > most_lane_ways)
+    return fmt::format("shortest-path has {} ways from masses through portals (lanes take {})",
+                       coupling.images().size(), most_lane_ways);
   std::uint32_t entered = no_portal;
   for (const ShortestPathCoupling::Image& image : coupling.images()) {
     const std::vector<std::uint32_t> chain = coupling.chain(image);
-    if (chain.size() > 1) return false;
+    if (chain.size() > 1)
+      return "shortest-path goes through portals in a row (lanes take "
+             "physics.portal_gravity_depth = 1)";
     const Portal& portal = space.portals.portals()[chain.front()];
     // Images come portal by portal.
     if (chain.front() != entered)
@@ -190,10 +249,11 @@ void add_maps(const Space& space, const GravitonMapCoupling& coupling, LanePlan&
         static_cast<float>(gravitational_radius(image.gm, space.physics.c)),
         static_cast<float>(image.core2),
         static_cast<float>(image.influence),
+        bare2_of_way(space, image, portal, scene),
         {off(local.y + rectangle.half_height), off(local.x - rectangle.half_width),
          off(local.y - rectangle.half_height), off(local.x + rectangle.half_width)}};
   }
-  return true;
+  return "";
 }
 
 }  // namespace
@@ -210,16 +270,19 @@ void add_masses_of_portals(const Space& space, Vec3d center, std::vector<LaneMas
   }
 }
 
-bool add_coupling(const Space& space, LanePlan& plan) {
-  if (const auto* closest = std::get_if<ClosestPointCoupling>(&space.coupling))
+std::string add_coupling(const Space& space, LanePlan& plan) {
+  const Coupling& coupling = space.coupling;
+  if (const auto* closest = std::get_if<ClosestPointCoupling>(&coupling))
     return GatePlanner(space, *closest, plan).plan();
-  const bool rectangles = plan.scene.outline_count == 0;
-  if (const auto* map = std::get_if<GravitonMapCoupling>(&space.coupling))
-    return rectangles && (add_maps(space, *map, plan), true);
-  if (const auto* shortest = std::get_if<ShortestPathCoupling>(&space.coupling))
-    return rectangles && add_ways(space, *shortest, plan);
-  return std::holds_alternative<PortalMassCoupling>(space.coupling) ||
-         std::holds_alternative<NoCoupling>(space.coupling);
+  if (std::holds_alternative<PortalMassCoupling>(coupling) ||
+      std::holds_alternative<NoCoupling>(coupling))
+    return "";
+  if (const std::string odd = odd_portal(space); !odd.empty()) return odd;
+  if (const auto* map = std::get_if<GravitonMapCoupling>(&coupling))
+    return add_maps(space, *map, plan);
+  if (const auto* shortest = std::get_if<ShortestPathCoupling>(&coupling))
+    return add_ways(space, *shortest, plan);
+  return fmt::format("lanes do not know the coupling {}", in_quotes(space.physics.portal_gravity));
 }
 
 }  // namespace portalens

@@ -2,6 +2,9 @@
 /// Laying out for the lanes what portals add to gravity: one table a coupling.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "photon/lane_plan.h"
 
 namespace portalens {
@@ -10,8 +13,8 @@ namespace portalens {
 void add_masses_of_portals(const Space& space, Vec3d center, std::vector<LaneMass>& masses);
 
 /// Adds the coupling of a space to a plan that has its masses already.
-/// @return false where lanes can't do it
+/// @return why lanes can't do it; empty where they can
 /// @pre its portals are there, too
-[[nodiscard]] bool add_coupling(const Space& space, LanePlan& plan);
+[[nodiscard]] std::string add_coupling(const Space& space, LanePlan& plan);
 
 }  // namespace portalens

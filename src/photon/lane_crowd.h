@@ -105,6 +105,9 @@ struct LaneCrowdField {
     return first;
   }
 
+  /// Nothing acts through portals.
+  [[nodiscard]] typename R::Mask too_near(Vec3<R>) const { return R(1) < R(0); }
+
   /// As of `LaneField`.
   static constexpr bool sees_borders_far_off = true;
   static constexpr bool may_lack_room = true;

@@ -119,6 +119,23 @@ struct LaneField {
     return first.share;
   }
 
+  /// Where a mass seen through a gate is so near that floats can't follow the light: `bare2`.
+  [[nodiscard]] typename R::Mask too_near(Vec3<R> x) const {
+    typename R::Mask found = R(1) < R(0);
+    if (!scene.bare_through) return found;
+    R qx[most_lane_gates], qy[most_lane_gates];
+    for (int g = 0; g < scene.gate_count; ++g) {
+      const Vec3<R> local = local_of(g, x, qx, qy);
+      qx[g] = feet[g].x(local);
+      qy[g] = feet[g].y(local);
+      for (int i = 0; i < scene.mass_count; ++i) {
+        const Vec3<R> d = spread<R>(scene.gates[g].images[i]) - Vec3<R>{qx[g], qy[g], R(0)};
+        found = found | ((reached[g] > R(0)) & (dot(d, d) < R(scene.gates[g].bare2[i])));
+      }
+    }
+    return found;
+  }
+
   /// Borders are found however far off they are: where nothing acts, straight flights end there.
   static constexpr bool sees_borders_far_off = true;
   /// No lane has more masses about it than there is room for.

@@ -96,6 +96,9 @@ class LaneGravitonMap {
     return first.share;
   }
 
+  /// Lanes don't take maps of what has no bound.
+  [[nodiscard]] Mask too_near(Vec3<R>) const { return R(1) < R(0); }
+
   static constexpr bool sees_borders_far_off = true;
 
  private:

@@ -1,11 +1,14 @@
 #include "photon/lane_plan.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "core/words.h"
 #include "photon/lane_couplings.h"
 #include "photon/lane_shapes.h"
 #include "photon/radau.h"
@@ -20,20 +23,17 @@ constexpr double longest_with_portals = 0.85;
 /// Floats can't keep a finer one.
 constexpr double finest_tolerance = 1e-5;
 
-/// The lone masses, and all others: of many masses, all are those.
-/// @return false if there is not room enough
-bool choose_masses(const Space& space, double graze, LanePlan& plan) {
-  if (space.masses.size() > most_lane_crowd) return false;
+/// The lone masses, and all others that pull: of many masses, all are those.
+void choose_masses(const Space& space, double graze, LanePlan& plan) {
   if (space.masses.size() <= most_lane_masses + most_lane_lone_masses)
     plan.lone = lone_masses(space, graze, most_lane_lone_masses);
   auto next = plan.lone.masses.begin();
   for (std::uint32_t i = 0; i < space.masses.size(); ++i) {
     if (next != plan.lone.masses.end() && next->mass == i)
       ++next;
-    else
+    else if (space.masses[i].gm > 0.0)
       plan.stepped.push_back(i);
   }
-  return true;
 }
 
 void add_lone_masses(const Space& space, LanePlan& plan) {
@@ -53,11 +53,15 @@ void add_lone_masses(const Space& space, LanePlan& plan) {
   }
 }
 
+/// Floats hold its reciprocal to the third power, and no place is told apart so finely.
+constexpr double least_core2 = 1e-22;
+
 LaneMass lane_mass(const Mass& mass, Vec3d center, double c) {
   LaneMass lane;
   lane.center = narrow(mass.center - center);
   lane.gm = static_cast<float>(gravitational_radius(mass.gm, c));
-  lane.core2 = static_cast<float>(mass.core * mass.core);
+  // Never 0: what does not act is counted as 0 times its pull, also where it stands.
+  lane.core2 = static_cast<float>(std::max(mass.core * mass.core, least_core2));
   lane.influence = static_cast<float>(mass.influence);
   lane.influence2 = lane.influence * lane.influence;
   lane.horizon = mass.has_horizon() ? static_cast<float>(mass.schwarzschild) : -1.0f;
@@ -81,13 +85,24 @@ void add_masses(const Space& space, LanePlan& plan) {
   std::copy(masses.begin(), masses.end(), plan.scene.masses);
 }
 
-bool add_portals(const Space& space, Vec3d center, LaneScene& scene) {
+/// @return why there is no room for one; empty where there is
+std::string portal_refusal(const Space& space) {
   const auto portals = space.portals.portals();
-  if (portals.size() > most_lane_portals) return false;
+  if (portals.size() > most_lane_portals)
+    return fmt::format("{} portals are there (lanes take {})", portals.size(), most_lane_portals);
+  for (const Portal& portal : portals)
+    if (portal.vertices.size() > most_lane_edges)
+      return fmt::format("portal {} has {} edges (lanes take {})", in_quotes(portal.name),
+                         portal.vertices.size(), most_lane_edges);
+  return "";
+}
+
+/// @pre there is room
+void add_portals(const Space& space, Vec3d center, LaneScene& scene) {
+  const auto portals = space.portals.portals();
   const auto is_rectangle = [](const Portal& p) { return rectangle_of(p).half_width > 0.0; };
   const bool plain = std::all_of(portals.begin(), portals.end(), is_rectangle);
   for (const Portal& portal : portals) {
-    if (portal.vertices.size() > most_lane_edges) return false;
     LanePortal& lane = scene.portals[scene.portal_count++];
     const Rectangle extent = extent_of(portal);
     const LaneOutline* outline = nullptr;
@@ -106,7 +121,6 @@ bool add_portals(const Space& space, Vec3d center, LaneScene& scene) {
             static_cast<float>(portal.height_tolerance()),
             portal.back_material ? 1.0f : 0.0f};
   }
-  return true;
 }
 
 void add_box(const Box& box, Vec3d center, LaneScene& scene) {
@@ -148,7 +162,9 @@ void add_polygon(const Quad& quad, int shape, Vec3d center, LaneScene& scene) {
   }
 }
 
-void add_surfaces(const Space& space, Vec3d center, LaneScene& scene) {
+void add_surfaces(const Space& space, LanePlan& plan) {
+  LaneScene& scene = plan.scene;
+  const Vec3d center = plan.center;
   const auto& shapes = space.surfaces.shapes();
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const auto* quad = std::get_if<Quad>(&shapes[i]);
@@ -160,6 +176,7 @@ void add_surfaces(const Space& space, Vec3d center, LaneScene& scene) {
                                              static_cast<float>(sphere->radius()),
                                              static_cast<int>(i)};
     } else {
+      plan.boxed.push_back(static_cast<std::uint32_t>(i));
       add_box(std::visit([](const auto& shape) { return shape.bounds(); }, shapes[i]), center,
               scene);
     }
@@ -176,18 +193,29 @@ Vec3d center_of(const Space& space) {
   return box.empty() ? Vec3d{} : box.middle();
 }
 
-/// Whether some mass or portal is so far from the middle, for its size, that floats can't tell
+/// Names a mass or portal that is so far from the middle, for its size, that floats can't tell
 /// places by it apart.
-bool is_strewn(const Space& space, Vec3d center) {
+std::string strewn_refusal(const Space& space, Vec3d center) {
   constexpr double most = 2e4;
-  const auto lost = [&](Vec3d place, double size) { return length(place - center) > most * size; };
-  return std::any_of(space.masses.begin(), space.masses.end(),
-                     [&](const Mass& mass) {
-                       return mass.gm > 0.0 && lost(mass.center, mass.influence);
-                     }) ||
-         std::any_of(
-             space.portals.portals().begin(), space.portals.portals().end(),
-             [&](const Portal& portal) { return lost(portal.frame.origin, portal.longest_edge); });
+  const auto refusal = [&](const char* what, const std::string& name, Vec3d place, double size,
+                           const char* of_it) -> std::string {
+    if (!(length(place - center) > most * size)) return "";
+    return fmt::format(
+        "{} {} lies further off than {:g} times {}: floats can't tell places there "
+        "apart",
+        what, in_quotes(name), most, of_it);
+  };
+  for (const Mass& mass : space.masses)
+    if (mass.gm > 0.0)
+      if (auto why = refusal("mass", mass.name, mass.center, mass.influence, "its influence");
+          !why.empty())
+        return why;
+  for (const Portal& portal : space.portals.portals())
+    if (auto why = refusal("portal", portal.name, portal.frame.origin, portal.longest_edge,
+                           "its longest edge");
+        !why.empty())
+      return why;
+  return "";
 }
 
 /// How far from `center` anything lies that a photon can meet or feel.
@@ -202,28 +230,49 @@ double radius_about(const Space& space, Vec3d center) {
   return radius;
 }
 
-}  // namespace
+/// Floats hold lengths between these, and what is computed of them: powers up to the fourth and
+/// their reciprocals, and m/d⁵ next to a mass. Held by tests/photon/scales_test.cpp.
+constexpr double least_extent = 1e-6, largest_extent = 1e8, least_radius = 2e-9;
 
-std::unique_ptr<const LanePlan> plan_lanes(const Space& space) {
+/// Names a length that is too small or too large for floats.
+std::string scale_refusal(const Space& space, const LanePlan& plan) {
+  const double radius = radius_about(space, plan.center);
+  if (space.extent < least_extent || radius > largest_extent)
+    return fmt::format(
+        "the scene is {:.3g} in size, influences counted (lanes take {:g} to {:g}; "
+        "another unit of length would do)",
+        std::max(space.extent, 2.0 * radius), least_extent, 2.0 * largest_extent);
+  for (const std::uint32_t i : plan.stepped) {
+    const Mass& mass = space.masses[i];
+    const double nearest = std::max(gravitational_radius(mass.gm, space.physics.c), mass.core);
+    if (nearest < least_radius)
+      return fmt::format(
+          "G M / c² of mass {} is {:.3g} (lanes take {:g}, or a core_radius of "
+          "that)",
+          in_quotes(mass.name), nearest, least_radius);
+  }
+  return "";
+}
+
+/// What of the physics lanes don't do.
+std::string physics_refusal(const Space& space) {
   const Physics& physics = space.physics;
-  if (physics.integrator != Radau::name || physics.tolerance < finest_tolerance || space.unbounded)
-    return nullptr;
-  auto plan = std::make_unique<LanePlan>();
-  const double overshoot = 1e-6 * space.extent, graze = 4.0 * overshoot;
-  if (!choose_masses(space, graze, *plan)) return nullptr;
-  plan->scene = {};
-  plan->center = center_of(space);
-  if (is_strewn(space, plan->center)) return nullptr;
-  LaneScene& scene = plan->scene;
-  scene.graze2 = static_cast<float>(graze * graze);
-  add_masses(space, *plan);
-  add_lone_masses(space, *plan);
-  if (!add_portals(space, plan->center, scene)) return nullptr;
-  if (!add_coupling(space, *plan)) return nullptr;
-  const bool looks_through = scene.gate_count + scene.map_count + scene.way_count > 0;
-  if (looks_through && scene.crowd.count > 0) return nullptr;
-  add_surfaces(space, plan->center, scene);
+  if (physics.integrator != Radau::name)
+    return fmt::format("physics.integrator is {} (lanes take \"{}\")",
+                       in_quotes(physics.integrator), Radau::name);
+  if (physics.tolerance < finest_tolerance)
+    return fmt::format("physics.tolerance {:g} is finer than floats keep (lanes take {:g})",
+                       physics.tolerance, finest_tolerance);
+  if (space.unbounded)
+    return "an influence is infinite (physics.min_force = 0; lanes take any that is greater)";
+  if (space.masses.size() > most_lane_crowd)
+    return fmt::format("{} masses are there (lanes take {})", space.masses.size(), most_lane_crowd);
+  return "";
+}
 
+void set_steps(const Space& space, bool looks_through, double overshoot, LanePlan& plan) {
+  const Physics& physics = space.physics;
+  LaneScene& scene = plan.scene;
   const Radau step = Radau::from({physics.step, physics.tolerance});
   scene.stiffness_weight = static_cast<float>(step.stiffness_weight);
   scene.nearness_weight = static_cast<float>(
@@ -231,13 +280,46 @@ std::unique_ptr<const LanePlan> plan_lanes(const Space& space) {
   scene.overshoot = static_cast<float>(overshoot);
   scene.ahead = scene.overshoot;
   scene.farthest = static_cast<float>(2.0 * space.extent);
-  const double radius = radius_about(space, plan->center);
+  const double radius = radius_about(space, plan.center);
   scene.radius = static_cast<float>(1.001 * radius);
   scene.flight_limit = static_cast<float>(8.0 * radius);
   scene.max_length = static_cast<float>(std::min(physics.max_length, 1e30));
   scene.max_turning = static_cast<float>(std::min(physics.max_turning, 1e30));
   scene.max_steps = static_cast<float>(physics.max_steps);
-  return plan;
+}
+
+/// Lays all out, and stops where it can't.
+/// @return why; empty where the plan is whole
+std::string lay_out(const Space& space, LanePlan& plan) {
+  if (std::string why = physics_refusal(space); !why.empty()) return why;
+  const double overshoot = 1e-6 * space.extent, graze = 4.0 * overshoot;
+  choose_masses(space, graze, plan);
+  plan.scene = {};
+  plan.center = center_of(space);
+  if (std::string why = scale_refusal(space, plan); !why.empty()) return why;
+  if (std::string why = strewn_refusal(space, plan.center); !why.empty()) return why;
+  if (std::string why = portal_refusal(space); !why.empty()) return why;
+  LaneScene& scene = plan.scene;
+  scene.graze2 = static_cast<float>(graze * graze);
+  add_masses(space, plan);
+  add_lone_masses(space, plan);
+  add_portals(space, plan.center, scene);
+  if (std::string why = add_coupling(space, plan); !why.empty()) return why;
+  const bool looks_through = scene.gate_count + scene.map_count + scene.way_count > 0;
+  if (looks_through && scene.crowd.count > 0)
+    return fmt::format("through portals {} masses act (lanes take {})", scene.crowd.count,
+                       most_lane_masses);
+  add_surfaces(space, plan);
+  set_steps(space, looks_through, overshoot, plan);
+  return "";
+}
+
+}  // namespace
+
+LaneChoice plan_lanes(const Space& space) {
+  auto plan = std::make_unique<LanePlan>();
+  if (std::string why = lay_out(space, *plan); !why.empty()) return {nullptr, std::move(why)};
+  return {std::move(plan), ""};
 }
 
 }  // namespace portalens

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "math/vec3.h"
@@ -24,6 +25,8 @@ struct LanePlan {
   /// The masses that `scene.masses` begin with, or those of the crowd.
   std::vector<std::uint32_t> stepped;
   CrowdGrid crowd;  ///< that `scene.crowd` looks into
+  /// The shapes that `scene.boxes` hold: steps near those are left to the scalar engine.
+  std::vector<std::uint32_t> boxed;
 
   LanePlan() = default;
   LanePlan(const LanePlan&) = delete;
@@ -40,12 +43,19 @@ struct LanePlan {
   }
 };
 
-/// Null where lanes can't do it: a fixed-step integrator, infinite influences, masses or portals so
-/// far from each other that floats can't place them, portals of more edges than `most_lane_edges`,
-/// `graviton-map` and `shortest-path` through any that is no rectangle, `shortest-path` through
-/// more than one portal, or more masses, portals, chains or ways than the lanes have room for: of
-/// masses that are not alone `most_lane_masses` where a coupling looks at each through portals,
-/// else `most_lane_crowd`. The scalar engine does all of that.
-[[nodiscard]] std::unique_ptr<const LanePlan> plan_lanes(const Space& space);
+/// What lanes do about a space.
+struct LaneChoice {
+  std::unique_ptr<const LanePlan> plan;  ///< null where they leave it to the scalar engine
+  /// Then why: what the scene has, and what lanes would take. No capital letter, no full stop.
+  std::string refusal;
+};
+
+/// Lanes leave to the scalar engine: a fixed-step integrator, infinite influences, masses or
+/// portals so far from each other that floats can't place them, lengths whose powers floats can't
+/// hold, portals of more edges than `most_lane_edges`, `graviton-map` and `shortest-path` through
+/// any that is no rectangle, `shortest-path` through more than one portal, or more masses, portals,
+/// chains or ways than they have room for: of masses that are not alone `most_lane_masses` where a
+/// coupling looks at each through portals, else `most_lane_crowd`.
+[[nodiscard]] LaneChoice plan_lanes(const Space& space);
 
 }  // namespace portalens

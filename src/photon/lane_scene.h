@@ -101,6 +101,9 @@ struct LaneGate {
   float tolerance;             ///< heights down to minus this count as in front
   float reach, reach2;
   LaneVec images[most_lane_masses];  ///< of the masses, in local coordinates
+  /// Nearer to an image than the square root of that, light is left to the scalar engine: as
+  /// `LaneMass::bare2`, for no horizon acts through portals.
+  float bare2[most_lane_masses];
   /// Whether the influence of a mass ends somewhere on the polygon; and with a parent, whether
   /// places on that one's are further from it than the reach.
   bool fades[most_lane_masses], falls_short;
@@ -118,6 +121,7 @@ struct LaneFace {
 struct LaneWay {
   LaneVec image;  ///< where the mass seems to be
   float gm, core2, influence;
+  float bare2;  ///< as of a `LaneGate`
   /// Of the image from the lines of the rim: below (y = -h), right (x = w), above, left.
   float off[4];
 };
@@ -175,7 +179,8 @@ struct LaneBox {
 };
 
 struct LaneScene {
-  bool fading;  ///< some gate has a mass that fades, or falls short
+  bool fading;        ///< some gate has a mass that fades, or falls short
+  bool bare_through;  ///< some gate or way has a `bare2`
   int mass_count, gate_count, map_count, entrance_count, way_count, portal_count, outline_count,
       polygon_count, sphere_count, box_count, lone_count;
   float stiffness_weight, nearness_weight;  ///< of the step, see Radau

@@ -71,6 +71,21 @@ class LaneShortestPath {
   /// None that `boundary` does not find.
   [[nodiscard]] R first_change(Mask, const LanePath<R>&, Vec3<R>) const { return R(2); }
 
+  /// As of `LaneField`; ways over the rim are longer than straight ones.
+  [[nodiscard]] Mask too_near(Vec3<R> x) const {
+    Mask found = R(1) < R(0);
+    if (!scene_.bare_through) return found;
+    for (int e = 0; e < scene_.entrance_count; ++e) {
+      const LaneEntrance& entrance = scene_.entrances[e];
+      const Vec3<R> local = local_in(entrance.face, x);
+      for (int i = entrance.first; i < entrance.end; ++i) {
+        const Vec3<R> to = spread<R>(scene_.ways[i].image) - local;
+        found = found | ((passed_[i] > R(0)) & (dot(to, to) < R(scene_.ways[i].bare2)));
+      }
+    }
+    return found;
+  }
+
   static constexpr bool sees_borders_far_off = false;
 
  private:

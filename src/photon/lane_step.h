@@ -79,6 +79,7 @@ class LaneStepper {
     find_boxes(path, end, clear, doubtful);
     if (has_lone) doubtful = select(lone.inside | (lone.enters & may_end_within()), R(1), doubtful);
 
+    doubtful = select(field.too_near(x), R(1), doubtful);
     if constexpr (F::may_lack_room) doubtful = select(field.lacks_room, R(1), doubtful);
 
     const Mask consults = live & (doubtful > R(0));

@@ -36,10 +36,11 @@ struct Arrival {
   Met met = Met::nothing;
   std::uint32_t object = no_object;  ///< index of the shape, the portal or the mass, as `met` says
   std::uint32_t face = 0;
-  Vec3d position, direction;  ///< in the coordinates of where it ended
-  Rgb tint{1, 1, 1};          ///< product of the tints of the fronts it crossed
-  double length = 0.0;        ///< arc length from its start
-  double turning = 0.0;       ///< ∫ |dt/ds| ds, radians
+  std::uint32_t handed_over = 0;  ///< steps that the scalar engine took for the lanes
+  Vec3d position, direction;      ///< in the coordinates of where it ended
+  Rgb tint{1, 1, 1};              ///< product of the tints of the fronts it crossed
+  double length = 0.0;            ///< arc length from its start
+  double turning = 0.0;           ///< ∫ |dt/ds| ds, radians
   std::uint32_t steps = 0;
   std::uint32_t crossings = 0;
 };

@@ -33,7 +33,9 @@ Space::Space(Physics the_physics, std::uint32_t crossings, std::vector<Shape> sh
     box.add(mass.center + Vec3d{reach, reach, reach});
   }
   if (box.diagonal() > 0.0) extent = box.diagonal();
-  lanes = plan_lanes(*this);
+  LaneChoice choice = plan_lanes(*this);
+  lanes = std::move(choice.plan);
+  no_lanes_because = std::move(choice.refusal);
 }
 
 Space::Space(Space&&) noexcept = default;

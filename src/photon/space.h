@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "geometry/accelerator.h"
@@ -37,6 +38,7 @@ struct Space {
   bool unbounded = false;  ///< some influence is infinite
   std::optional<Vec3d> viewpoint;  ///< where most photons begin; nothing depends on it but speed
   std::unique_ptr<const LanePlan> lanes;  ///< null where lanes can't do it
+  std::string no_lanes_because;           ///< why that is so (LaneChoice); empty where they can
 };
 
 }  // namespace portalens

@@ -63,7 +63,7 @@ double Bicubic::through(const Space& space, const Guides& guides, const PixelSpa
                         double most, double given_up) {
   const Arrival& model = *guides[1][1];
   model_ = model;
-  model_.steps = 0;
+  model_.steps = model_.handed_over = 0;
   const bool flat = model.fate == Fate::hit;
   sphere_ = flat ? std::get_if<Sphere>(&space.surfaces.shapes()[model.object]) : nullptr;
   std::array<Values, 16> values;

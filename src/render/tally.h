@@ -17,9 +17,10 @@ struct Tally {
   std::uint64_t interpolated = 0;    ///< photons that found what their neighbours told (lattice.h)
   /// Neighbours that were sent for it. Tiles that a thread takes one after the other share some.
   std::uint64_t guides = 0;
-  std::uint64_t steps = 0;       ///< of all photons
-  std::uint64_t crossings = 0;   ///< of portals, by all photons
-  std::uint64_t not_finite = 0;  ///< samples whose light was not a number; shown as lost
+  std::uint64_t steps = 0;        ///< of all photons
+  std::uint64_t handed_over = 0;  ///< of these, those that the scalar engine took for the lanes
+  std::uint64_t crossings = 0;    ///< of portals, by all photons
+  std::uint64_t not_finite = 0;   ///< samples whose light was not a number; shown as lost
   std::array<std::uint64_t, fate_count> fates{};  ///< of all photons, in the order of `Fate`
 
   /// Seconds of all threads together: photons on their ways (field, surfaces, portals), shading,
@@ -29,14 +30,16 @@ struct Tally {
   /// @return how many are lost
   std::uint64_t count(std::span<const Arrival> arrivals) {
     std::array<std::uint64_t, fate_count> ended{};
-    std::uint64_t steps_taken = 0, portals_crossed = 0;
+    std::uint64_t steps_taken = 0, steps_handed = 0, portals_crossed = 0;
     for (const Arrival& arrival : arrivals) {
       steps_taken += arrival.steps;
+      steps_handed += arrival.handed_over;
       portals_crossed += arrival.crossings;
       ++ended[static_cast<std::size_t>(arrival.fate)];
     }
     photons += arrivals.size();
     steps += steps_taken;
+    handed_over += steps_handed;
     crossings += portals_crossed;
     for (std::size_t i = 0; i < fates.size(); ++i) fates[i] += ended[i];
     return ended[static_cast<std::size_t>(Fate::lost)];
@@ -48,6 +51,7 @@ struct Tally {
     interpolated += other.interpolated;
     guides += other.guides;
     steps += other.steps;
+    handed_over += other.handed_over;
     crossings += other.crossings;
     not_finite += other.not_finite;
     advancing += other.advancing;

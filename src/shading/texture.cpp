@@ -33,7 +33,8 @@ Neighbours repeated(double x, int count) {
 }
 
 Neighbours clamped(double x, int count) {
-  const double place = std::clamp(x - 0.5, 0.0, count - 1.0);
+  // What is no number counts as 0: it is looked at no place that is none.
+  const double place = x > 0.5 ? std::min(x - 0.5, count - 1.0) : 0.0;
   const int first = static_cast<int>(place);
   return {first, std::min(first + 1, count - 1), place - first};
 }

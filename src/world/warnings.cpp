@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string_view>
 
 #include "core/words.h"
+#include "gravity/bound_light.h"
 #include "world/portal_overlap.h"
 #include "world/world.h"
 
@@ -76,6 +78,31 @@ void about_masses(const World& world, Warnings& warnings) {
   about_pairs("horizons", holes.size(), overlap, tell, warnings);
 }
 
+/// Masses whose pull through a portal has no bound, or none that light could leave.
+void about_bound_light(const World& world, Warnings& warnings) {
+  const Space& space = world.space;
+  const Physics& physics = space.physics;
+  if (physics.portal_gravity_depth == 0) return;
+  const auto portals = space.portals.portals();
+  const auto found = bound_light(physics.portal_gravity, portals, space.masses, physics.c);
+  for (const BoundLight& one : std::span(found).first(std::min(found.size(), most_told))) {
+    const Mass& mass = space.masses[one.mass];
+    const Portal& portal = portals[one.portal];
+    const double m = gravitational_radius(mass.gm, physics.c);
+    const std::string where = one.distance > 0.0
+                                  ? fmt::format("from as near as {:.3g}, which is", one.distance)
+                                  : "from its own place, where its pull has no bound: that is";
+    warnings.push_back(fmt::format(
+        "through portal {} light feels mass {} {} nearer than G M / c² = {:.3g}, and winds round "
+        "it; give the mass a core_radius greater than that, or move it away from portal {}",
+        in_quotes(portal.name), in_quotes(mass.name), where, m,
+        in_quotes(portals[portal.pair].name)));
+  }
+  if (found.size() > most_told)
+    warnings.push_back(fmt::format("{} more masses are felt through portals from so near",
+                                   found.size() - most_told));
+}
+
 /// A surface that no photon can reach, since the horizon of its own mass lies around all of it.
 void about_hidden_bodies(const World& world, Warnings& warnings) {
   for (std::size_t i = 0; i < world.appearance.bodies.size(); ++i) {
@@ -137,6 +164,7 @@ std::vector<std::string> warnings_about(const World& world) {
   about_camera(world, warnings);
   about_materials(world, warnings);
   about_masses(world, warnings);
+  about_bound_light(world, warnings);
   about_hidden_bodies(world, warnings);
   about_portals(world, warnings);
   about_light(world, warnings);

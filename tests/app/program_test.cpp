@@ -114,6 +114,30 @@ TEST(Render, QuietPrintsNothing) {
   EXPECT_EQ(outcome.output + outcome.errors, "");
 }
 
+TEST(Render, SaysByWhichEngineAndWhyWhereverItTellsOfThePicture) {
+  const SceneFolder folder;
+  folder.write("tiny.toml", std::string(tiny) + "[[mass]]\ncenter = [0, 0, 0]\nmass = 9\n");
+  const std::vector<std::string> infinite = {"--set", "physics.min_force=0"};
+  const auto outcome = [&](std::vector<std::string> words) {
+    words.insert(words.end(), infinite.begin(), infinite.end());
+    return run_portalens(folder.path(), words).output;
+  };
+  const char* why = "an influence is infinite (physics.min_force = 0";
+  for (const std::string& text :
+       {outcome({"check", "tiny.toml"}), outcome({"render", "tiny.toml", "--stats"})}) {
+    EXPECT_NE(text.find("scalar, because " + std::string(why)), std::string::npos) << text;
+    EXPECT_NE(text.find("all, because only lanes"), std::string::npos) << text;
+  }
+  for (const std::string& text : {outcome({"check", "tiny.toml", "--json"}),
+                                  outcome({"render", "tiny.toml", "--json", "-o", "a.exr"})})
+    EXPECT_NE(text.find("\"engine\":{\"name\":\"scalar\",\"because\":\"" + std::string(why)),
+              std::string::npos)
+        << text;
+  EXPECT_NE(folder.read("a.exr").find(why), std::string::npos);
+  EXPECT_NE(run_portalens(folder.path(), {"check", "tiny.toml"}).output.find("engine      lanes"),
+            std::string::npos);
+}
+
 TEST(Render, OptionsStandAboveTheFile) {
   const SceneFolder folder;
   folder.write("tiny.toml", tiny);

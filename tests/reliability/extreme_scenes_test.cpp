@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "io/image.h"
 #include "render/render.h"
 #include "support/scene_text.h"
 
@@ -78,27 +79,46 @@ void expect_taken_or_refused(const std::string& scene) {
   if (faults.empty()) expect_taken(scene);
 }
 
-/// A mass, a pair of portals and a ball, all lengths times `scale`: light takes the same ways.
+/// A mass, a pair of portals, a ball and a lamp, all lengths times `scale`: light takes the same
+/// ways, and as much of it.
 std::string scaled_scene(double scale) {
   const double s = scale;
   std::string text = camera(s);
   text += fmt::format("[physics]\nmin_force = {}\nmax_length = {}\n", 0.01 / s, 1e6 * s);
   text += fmt::format("[[mass]]\ncenter = [{}, 0, 0]\nmass = {}\n", -1.5 * s, 150.0 * s);
   text += fmt::format("[[sphere]]\ncenter = [{}, 0, {}]\nradius = {}\n", s, -2 * s, s);
+  text += fmt::format("[[light]]\nposition = [{}, {}, {}]\nintensity = [{}, {}, {}]\n", -2 * s,
+                      4 * s, 3 * s, 20 * s * s, 20 * s * s, 15 * s * s);
   text += "[[portal]]\nname = \"a\"\npair = \"b\"\n" + vertices(0.8 * s, s, 1.2 * s, 1);
   text += "[[portal]]\nname = \"b\"\npair = \"a\"\n" + vertices(4 * s, -s, 1.2 * s, -1);
   return text;
 }
 
-TEST(ExtremeScene, AMillionTimesLargerOrSmallerIsTheSamePicture) {
+TEST(ExtremeScene, AtAnyScaleIsTheSamePicture) {
   const RenderResult one = taken(compiled(film + scaled_scene(1.0)), Engine::scalar);
-  for (const double scale : {1e-6, 1e-3, 1e3, 1e6}) {
-    expect_taken(scaled_scene(scale));
-    const RenderResult other = taken(compiled(film + scaled_scene(scale)), Engine::scalar);
-    double difference = 0.0;
-    for (std::size_t i = 0; i < one.image.pixels.size(); ++i)
-      difference += std::fabs(double{one.image.pixels[i]} - double{other.image.pixels[i]});
-    EXPECT_LT(difference / static_cast<double>(one.image.pixels.size()), 1e-3) << scale;
+  for (const double scale : {1e-8, 1e-6, 1e-3, 1.0, 1e3, 1e6, 1e9, 1e11})
+    for (const Engine engine : {Engine::scalar, Engine::automatic}) {
+      const RenderResult other = taken(compiled(film + scaled_scene(scale)), engine);
+      expect_sound(other, scaled_scene(scale));
+      double difference = 0.0;
+      for (std::size_t i = 0; i < one.image.pixels.size(); ++i)
+        difference += std::fabs(double{one.image.pixels[i]} - double{other.image.pixels[i]});
+      EXPECT_LT(difference / static_cast<double>(one.image.pixels.size()), 1e-3) << scale;
+    }
+}
+
+TEST(ExtremeScene, ACameraInABareMassBeforeASkyOfPixels) {
+  const test::Folder folder;
+  const std::vector<float> gray(64 * 32, 0.5f);
+  write_image(folder.path() / "sky.exr", 64, 32, {{"R", gray}, {"G", gray}, {"B", gray}}, {});
+  const World world =
+      compiled(folder, film + camera(1) + ball + mass("[0, 0.5, 6]", 0.5, "horizon = false\n") +
+                           "[environment]\nimage = \"sky.exr\"\n");
+  for (const Engine engine : {Engine::automatic, Engine::scalar}) {
+    const RenderResult result = taken(world, engine);
+    expect_sound(result, "a camera in a bare mass");
+    EXPECT_EQ(result.tally.fates[static_cast<std::size_t>(Fate::lost)], result.tally.photons);
+    EXPECT_EQ(result.tally.not_finite, 0u);
   }
 }
 

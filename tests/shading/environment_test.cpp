@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "support/random.h"
@@ -55,6 +56,16 @@ TEST(Environment, ARotationTurnsTheSkyRightHandedAboutY) {
                        -std::sin(angle) * d.x + std::cos(angle) * d.z};
     const double still = ramp().radiance(d).x, moved = ramp(degrees).radiance(turned).x;
     EXPECT_NEAR(std::remainder(still - moved, 1.0), 0.0, 1e-5);
+  }
+}
+
+TEST(Environment, WhatIsNoDirectionIsLookedAtNowhereElse) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const double infinite = std::numeric_limits<double>::infinity();
+  for (const Vec3d& d : {Vec3d{none, none, none}, Vec3d{0, none, 1}, Vec3d{none, 0, 1},
+                         Vec3d{infinite, -infinite, 0}}) {
+    const Rgb found = ramp().radiance(d);  // some colour, or none: no place outside the picture
+    EXPECT_FALSE(found.y > 1.0 || found.y < 0.0);
   }
 }
 

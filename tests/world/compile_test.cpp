@@ -342,6 +342,34 @@ vertices = [[31,1,0], [33,1,0], [33,3,0], [31,3,0]]
   EXPECT_NE(world.remarks[0].find("within the influence of 'near'"), std::string::npos);
 }
 
+/// A pair of portals at x = 0 and x = 5, and what else is said.
+std::string pair_and(const std::string& more, const std::string& of_portals = "") {
+  return "[[portal]]\nname = \"a\"\npair = \"b\"\n" + of_portals +
+         "vertices = [[0,0,0], [2,0,0], [2,2,0], [0,2,0]]\n"
+         "[[portal]]\nname = \"b\"\npair = \"a\"\n"
+         "vertices = [[5,0,0], [7,0,0], [7,2,0], [5,2,0]]\n" +
+         more;
+}
+
+TEST(Compile, APullWithoutABoundIsAWarningThatNamesMassPortalAndRemedy) {
+  const std::string heavy = "mass = 50\n";
+  const World own = compiled(pair_and("", heavy));
+  ASSERT_EQ(own.warnings.size(), 1u);
+  for (const char* words : {"through portal 'b' light feels mass 'a' from its own place",
+                            "no bound", "G M / c² = 0.0247", "core_radius", "portal 'a'"})
+    EXPECT_NE(own.warnings[0].find(words), std::string::npos) << words << "\n" << own.warnings[0];
+  for (const char* center : {"[6, 0, 0]", "[5, 2, 0]", "[6.3, 0.7, 0]", "[6, 1, 0.02]"})
+    EXPECT_EQ(compiled(pair_and("[[mass]]\ncenter = " + std::string(center) + "\n" + heavy))
+                  .warnings.size(),
+              1u)
+        << center;
+  EXPECT_TRUE(compiled(pair_and("", heavy + "core_radius = 0.1\n")).warnings.empty());
+  EXPECT_TRUE(compiled(pair_and("[[mass]]\ncenter = [6, 1, 0.1]\n" + heavy)).warnings.empty());
+  for (const char* without : {"portal_gravity = \"none\"\n", "portal_gravity = \"portal-mass\"\n",
+                              "portal_gravity_depth = 0\n"})
+    EXPECT_TRUE(compiled(pair_and("[physics]\n" + std::string(without), heavy)).warnings.empty());
+}
+
 std::string masses_along(int count, double apart) {
   std::string text = "[environment]\ncolor = [1, 1, 1]\n";
   for (int i = 0; i < count; ++i)
