@@ -107,6 +107,7 @@ Pull ClosestPointCoupling::direct(Vec3d x, Vec3d anchor) const {
     const double inverse2 = 1.0 / square;
     total.stiffness += source.gm * inverse2 * inverse2 * std::sqrt(inverse2);
     total.nearness += inverse2 * inverse2;
+    total.gradient += 2.0 * source.gm * inverse2 * std::sqrt(inverse2);
   }
   return total;
 }
@@ -139,7 +140,10 @@ Pull ClosestPointCoupling::through_portals(Vec3d x, Vec3d anchor, int depth,
     const Vec3d q = x == anchor
                         ? q_anchor
                         : face.frame().to_world(face.place(feature, face.frame().to_local(x)));
-    total += passed_on(a, q, q_anchor, depth);
+    Pull through = passed_on(a, q, q_anchor, depth);
+    // A vertex stays where it is.
+    if (feature.kind == Feature::Kind::vertex) through.gradient = 0.0;
+    total += through;
   }
   return total;
 }

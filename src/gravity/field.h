@@ -26,11 +26,12 @@ struct Surroundings {
   [[nodiscard]] bool silent() const { return inside.empty() && quiet > 0.0; }
 };
 
-/// g / c² at a point, and the two sums from which a step is chosen.
+/// g / c² at a point, and the sums from which a step is chosen and judged.
 struct Bending {
   Vec3d acceleration;      ///< 1/length: dt/ds before its part along t is removed
   double stiffness = 0.0;  ///< Σ w m / d⁵ with w = path_weight, 1/length⁴
   double nearness = 0.0;   ///< Σ v / d⁴ with v = approach_weight, 1/length⁴
+  double gradient = 0.0;   ///< Σ 2 m / d³, of the acceleration, 1/length²
 };
 
 /// Field of one scene with one coupling. Borrows the masses, their tree and the coupling.
@@ -52,6 +53,13 @@ class Field {
     out.signature = coupling_.signature(anchor);
   }
 
+  /// Whether anything acts at a place.
+  [[nodiscard]] bool acts(Vec3d x, std::span<const std::uint32_t> near) const {
+    for (const std::uint32_t i : near)
+      if (within(masses_[i], x)) return true;
+    return coupling_.quiet(x) == 0.0;
+  }
+
   /// @param t  direction of the path, a unit vector: steps depend on it, the acceleration doesn't
   /// @pre x is not exactly at a mass without a core
   [[nodiscard]] Bending bending(Vec3d x, Vec3d t, const Surroundings& frozen) const {
@@ -67,12 +75,14 @@ class Field {
       const double along = dot(to_mass, t), m = mass.gm * inverse_c2_;
       sum.stiffness += pull * inverse2 * path_weight(m * m, q - along * along);
       sum.nearness += inverse2 * inverse2 * approach_weight(along * inverse);
+      sum.gradient += 2.0 * pull;
     }
     if (frozen.quiet == 0.0) {
       const Pull through = coupling_.pull(x, frozen.anchor);
       sum.acceleration += through.acceleration * inverse_c2_;
       sum.stiffness += through.stiffness * inverse_c2_ * distant_weight;
       sum.nearness += through.nearness;
+      sum.gradient += through.gradient * inverse_c2_;
     }
     return sum;
   }

@@ -112,13 +112,19 @@ Pull GravitonGrid::interpolate(Cell cell, Vec3d place) const {
   const auto [i, j] = cell;
   return {bilinear(node(i, j).acceleration, node(i + 1, j).acceleration,
                    node(i, j + 1).acceleration, node(i + 1, j + 1).acceleration, u, v),
-          stiffness(cell), nearness(cell)};
+          stiffness(cell), nearness(cell), gradient(cell)};
 }
 
 double GravitonGrid::stiffness(Cell cell) const {
   const auto [i, j] = cell;
   return std::max({node(i, j).stiffness, node(i + 1, j).stiffness, node(i, j + 1).stiffness,
                    node(i + 1, j + 1).stiffness});
+}
+
+double GravitonGrid::gradient(Cell cell) const {
+  const auto [i, j] = cell;
+  return std::max({node(i, j).gradient, node(i + 1, j).gradient, node(i, j + 1).gradient,
+                   node(i + 1, j + 1).gradient});
 }
 
 double GravitonGrid::nearness(Cell cell) const {

@@ -66,6 +66,7 @@ class GravitonGrid {
   [[nodiscard]] Pull interpolate(Cell cell, Vec3d place) const;
   [[nodiscard]] double stiffness(Cell cell) const;
   [[nodiscard]] double nearness(Cell cell) const;
+  [[nodiscard]] double gradient(Cell cell) const;
 
  private:
   [[nodiscard]] std::size_t index(Cell cell) const {

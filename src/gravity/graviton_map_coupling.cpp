@@ -71,7 +71,10 @@ Pull GravitonMapCoupling::pull(Vec3d x, Vec3d anchor) const {
     const PortalFace& face = exact_.face(a);
     const Vec3d place = face.place(draw.feature, face.frame().to_local(x));
     const bool frozen = draw.kind == GravitonGrid::Kind::sharp;
-    total += grids_[a].interpolate(frozen ? draw.cell : grids_[a].cell_at(place), place);
+    Pull through = grids_[a].interpolate(frozen ? draw.cell : grids_[a].cell_at(place), place);
+    // A vertex stays where it is.
+    if (draw.feature.kind == Feature::Kind::vertex) through.gradient = 0.0;
+    total += through;
   }
   return total;
 }

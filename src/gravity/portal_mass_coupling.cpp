@@ -56,6 +56,7 @@ Pull PortalMassCoupling::pull(Vec3d x, Vec3d anchor) const {
     total.acceleration += attraction(to, image.gm, image.core2);
     total.stiffness += image.gm * inverse2 * inverse2 * std::sqrt(inverse2);
     total.nearness += inverse2 * inverse2;
+    total.gradient += 2.0 * image.gm * inverse2 * std::sqrt(inverse2);
   }
   return total;
 }

@@ -170,6 +170,7 @@ Pull ShortestPathCoupling::pull(Vec3d x, Vec3d anchor) const {
     const double scale_inverse2 = 1.0 / way_scale2(way.straight, square, dot(ahead, ahead));
     total.stiffness += image.gm * inverse2 * scale_inverse2 * std::sqrt(scale_inverse2);
     total.nearness += scale_inverse2 * scale_inverse2;
+    total.gradient += 2.0 * image.gm * inverse2 * std::sqrt(scale_inverse2);
   }
   return total;
 }
@@ -186,6 +187,27 @@ std::uint64_t ShortestPathCoupling::signature(Vec3d x) const {
     total += way;
   }
   return total;
+}
+
+/// A way's length changes by no more than x does: so its distance from the influence bounds how far
+/// off the place is where the image begins or ceases to act.
+double ShortestPathCoupling::calm(const Image& image, Vec3d x) const {
+  const Entrance& entrance = entrances_[links_[image.link].first];
+  const double aside = length(x - entrance.center) - entrance.radius + image.beyond;
+  const double least = std::max(aside, length(image.center - x)) - image.influence;
+  if (least > 0.25 * image.influence) return least;
+  Row row;
+  Passages passages;
+  const FaceRow faces = faces_of(image, row);
+  const double limit = 1.25 * image.influence;
+  if (!shortest_passages(x, image.center, faces, limit, passages)) return 0.25 * image.influence;
+  return std::fabs(follow(x, image.center, faces, passages).length - image.influence);
+}
+
+double ShortestPathCoupling::calm(Vec3d x) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Image& image : images_) least = std::min(least, calm(image, x));
+  return least;
 }
 
 double ShortestPathCoupling::quiet(Vec3d x) const {

@@ -31,6 +31,7 @@ class ShortestPathCoupling {
   [[nodiscard]] Pull pull(Vec3d x, Vec3d anchor) const;
   [[nodiscard]] std::uint64_t signature(Vec3d x) const;
   [[nodiscard]] double quiet(Vec3d x) const;
+  [[nodiscard]] double calm(Vec3d x) const;
 
   /// One part a chain and mass. Unfolded, as all looks from x: `places` are the bends of the way,
   /// `beyond` is where the mass seems to be; `distance` is D.
@@ -69,6 +70,7 @@ class ShortestPathCoupling {
   void add_images(const CouplingInput& input, const std::vector<std::uint32_t>& chain,
                   std::uint32_t link);
   [[nodiscard]] FaceRow faces_of(const Image& image, Row& row) const;
+  [[nodiscard]] double calm(const Image& image, Vec3d x) const;
   /// What an image adds, its way being known.
   [[nodiscard]] static Vec3d attraction(const Image& image, Vec3d x, const Way& way);
   [[nodiscard]] bool decide(const Image& image, Vec3d x, FaceRow faces, Passages& out) const;

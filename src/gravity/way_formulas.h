@@ -10,7 +10,6 @@
 namespace portalens {
 
 /// What a pack's lanes choose, for one number.
-[[nodiscard]] inline double select(bool first, double a, double b) { return first ? a : b; }
 
 /// Two ends beside a line, each by its coordinate along the line and its distance from it.
 template <class Real>

@@ -45,6 +45,7 @@ class Tracer {
   void resume(const Travel& way) {
     travel_ = way;
     free_length_ = 0.0;
+    longest_ = unbounded;
     restless_ = true;
   }
   [[nodiscard]] const Travel& way() const { return travel_; }
@@ -102,6 +103,7 @@ class Tracer {
                      portal.through.rotate(travel_.state.direction)};
     travel_.start = {Departure{}, other.height_tolerance(), met.object, 1e-6 * other.longest_edge};
     free_length_ = 0.0;
+    longest_ = unbounded;
     restless_ = true;
     if (journey_) {
       journey_->crossings.push_back(met.object);
@@ -124,12 +126,12 @@ class Tracer {
 
   /// Straight flight, outside all influence.
   bool fly() {
+    longest_ = unbounded;
     const Ray ray{travel_.state.position, travel_.state.direction};
     const double resolution = 1e-7 * space_.extent;
-    // At the edge of a coupling that is not yet felt at least this far.
-    const double reach =
-        std::fmax(2.0 * resolution,
-                  field_.free_flight(ray, resolution, 1e3 * space_.extent + length(ray.origin)));
+    const double near =
+        field_.free_flight(ray, resolution, 1e3 * space_.extent + length(ray.origin));
+    const double reach = std::isfinite(near) ? onset(ray, near, near + 2.0 * resolution) : near;
     std::optional<Encounter> met = obstacles_.first(ray, reach, travel_.start);
     double distance = met ? met->distance : reach;
     std::optional<std::uint32_t> swallowed;
@@ -146,11 +148,35 @@ class Tracer {
     return false;
   }
 
+  /// Where between two places of a straight flight something begins to act, or the latter: at the
+  /// edge of a coupling that is not yet felt at least that far.
+  [[nodiscard]] double onset(const Ray& ray, double low, double high) {
+    const auto acts = [&](double s) {
+      vicinity_.cover(ray.at(s), 0.0);
+      return field_.acts(ray.at(s), vicinity_.near());
+    };
+    if (!acts(high)) return high;
+    while (high - low > 1e-11 * space_.extent) {
+      const double middle = 0.5 * (low + high);
+      if (middle <= low || middle >= high) break;
+      (acts(middle) ? high : low) = middle;
+    }
+    return high;
+  }
+
   /// One step of the integrator, cut where something happens.
   bool step() {
     double h = proposed_length();
     Curve curve = try_step(h);
     if constexpr (!I::fixed_step) {
+      const double pull = length(bending_.acceleration);
+      double roughness = integrator_.roughness(doubt_, pull, bending_.gradient, h);
+      while (roughness > I::roughest && h > shortest()) {
+        h = std::fmax(I::longest_after(h, roughness, unbounded), shortest());
+        curve = try_step(h);
+        roughness = integrator_.roughness(doubt_, pull, bending_.gradient, h);
+      }
+      longest_ = I::longest_after(h, roughness, unbounded);
       const double cut = first_change(curve);
       if (cut < h) {
         h = cut;
@@ -185,12 +211,16 @@ class Tracer {
       h = integrator_.propose(bending_.stiffness, bending_.nearness);
       // Within reach of a portal whose surroundings do not pull: nothing to choose a step from.
       if (bending_.nearness == 0.0) h = space_.extent / 64.0;
+      h = std::fmin(h, longest_);
     }
     // The path may bend out of its length by a little, its polynomial by some more.
     vicinity_.cover(travel_.state.position, 1.5 * std::fmin(h, longest));
     if constexpr (!I::fixed_step) h = std::fmin(h, straight_exit());
-    return std::fmin(std::fmax(h, 1e-9 * space_.extent), longest);
+    return std::fmin(std::fmax(h, shortest()), longest);
   }
+
+  /// Of a step: rounding makes shorter ones pointless.
+  [[nodiscard]] double shortest() const { return 1e-9 * space_.extent; }
 
   /// The distance along the path's parabola to the nearest boundary of an influence, if it is near.
   [[nodiscard]] double straight_exit() const {
@@ -238,6 +268,7 @@ class Tracer {
     const StepResult<double> result =
         I::step(acceleration, travel_.state, bending_.acceleration, h);
     end_ = result.end;
+    doubt_ = result.doubt;
     if constexpr (I::straight_pieces) {
       const double turned = angle(travel_.state.direction, end_.direction);
       extra_turning_ = turned;
@@ -378,6 +409,8 @@ class Tracer {
     return true;
   }
 
+  static constexpr double unbounded = std::numeric_limits<double>::infinity();
+
   const Space& space_;
   const I& integrator_;
   Field<C> field_;
@@ -389,6 +422,8 @@ class Tracer {
   State end_;
   Surroundings surroundings_;
   Bending bending_, end_bending_;
+  StepDoubt<double> doubt_;     ///< of the step that was tried last
+  double longest_ = unbounded;  ///< of the next step: what the error of the last allows
   double free_length_ = 0.0;    ///< nothing lies within this much path from here
   double extra_turning_ = 0.0;  ///< of a step with straight pieces: it turns at its start
   bool restless_ = true;        ///< the surroundings have to be looked at again

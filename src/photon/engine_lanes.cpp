@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "photon/advance.h"
+#include "photon/lane_border.h"
 #include "photon/lane_log.h"
 #include "photon/radau.h"
 #include "photon/space.h"
@@ -226,6 +227,7 @@ class LaneDriver {
         departure.shape == no_object ? -1.0f : static_cast<float>(departure.shape);
     lanes_.departed_side[lane] = static_cast<float>(departure.side);
     lanes_.clear[lane] = static_cast<float>(clear);
+    lanes_.longest[lane] = never;
     lanes_.live[lane] = 1.0f;
   }
 
@@ -252,6 +254,7 @@ class LaneDriver {
     lanes_.departed[lane] = -1.0f;
     lanes_.departed_side[lane] = 1.0f;
     lanes_.clear[lane] = 0.0f;
+    lanes_.longest[lane] = never;
     lanes_.live[lane] = 0.0f;
   }
 

@@ -8,7 +8,8 @@ namespace portalens {
 
 /// Masses directly, and `Through` through portals. `Through` has, as `LaneField` does, `decide`,
 /// `acting`, `acceleration`, `boundary`, `sees_borders_far_off`, and
-///   R first_change(Mask which, const LanePath<R>& path, Vec3<R> end) const;
+///   void find_changes(FirstMeeting<R>& first, Mask which, const LanePath<R>& path,
+///                     const LaneLooks<R>& looks) const;
 ///   void add_to(LaneBending<R>& sum, Vec3<R> x, Vec3<R> t) const;
 ///   Mask too_near(Vec3<R> x) const;
 template <class R, class Through>
@@ -33,8 +34,10 @@ struct LaneCoupled {
   [[nodiscard]] Vec3<R> acceleration(Vec3<R> x) const {
     return direct.acceleration(x) + through.acceleration(x);
   }
-  [[nodiscard]] R first_change(typename R::Mask which, const LanePath<R>& path, Vec3<R> end) const {
-    return through.first_change(which, path, end);
+  void find_changes(FirstMeeting<R>& first, typename R::Mask which, const LanePath<R>& path,
+                    const LaneLooks<R>& looks) const {
+    direct.find_changes(first, which, path, looks);
+    through.find_changes(first, which, path, looks);
   }
   [[nodiscard]] typename R::Mask too_near(Vec3<R> x) const { return through.too_near(x); }
   [[nodiscard]] int mass_count() const { return direct.mass_count(); }
@@ -44,7 +47,6 @@ struct LaneCoupled {
   [[nodiscard]] R ahead(int mass) const { return direct.ahead(mass); }
   static constexpr bool sees_borders_far_off = Through::sees_borders_far_off;
   static constexpr bool may_lack_room = false;
-  static constexpr bool looks_back = false;
 
   [[nodiscard]] R boundary(Vec3<R> x, Vec3<R> t, Vec3<R> bend, R limit) const {
     const R least = direct.boundary(x, t, bend, limit);

@@ -54,7 +54,7 @@ struct LaneCrowdField {
   [[nodiscard]] R ahead(int mass) const { return along[mass]; }
 
   [[nodiscard]] LaneBending<R> bending(Vec3<R> x, Vec3<R>) const {
-    LaneBending<R> sum{{R(0), R(0), R(0)}, R(0), R(0)};
+    LaneBending<R> sum{{R(0), R(0), R(0)}, R(0), R(0), R(0)};
     for (int i = 0; i < count; ++i)
       add_bending(sum, mass(i), spread<R>(mass(i).center) - x, squares[i], along[i], inside[i]);
     return sum;
@@ -83,14 +83,15 @@ struct LaneCrowdField {
   }
 
   /// Where the path leaves or enters a ball sooner than `boundary` has foreseen.
-  [[nodiscard]] R first_change(typename R::Mask which, const LanePath<R>& path, Vec3<R>) const {
-    const Vec3<R> end = path.place.at(R(1 - foreseen) - R(2 * scene.overshoot) / path.h);
-    R first(2);
+  void find_changes(FirstMeeting<R>& first, typename R::Mask which, const LanePath<R>& path,
+                    const LaneLooks<R>& looks) const {
+    const Vec3<R> end = looks.place[LaneLooks<R>::count - 1];
     const auto offer = [&](typename R::Mask changed, Vec3<R> center, R radius2, R side) {
       const LaneDistance<R> outside{path, center, radius2};
       const R guess = outside.surface_from(select(side > R(0), R(1), R(0)), -side);
-      first =
-          select(changed, min(first, crossing(changed, outside, guess, side, R(0), R(1))), first);
+      first.share =
+          select(changed, min(first.share, crossing(changed, outside, guess, side, R(0), R(1))),
+                 first.share);
     };
     for (int i = 0; i < count; ++i) {
       const Vec3<R> center = spread<R>(mass(i).center), from = end - center;
@@ -102,7 +103,6 @@ struct LaneCrowdField {
     const LaneBall<R> ball = grid.entered(which & acting, end);
     const auto entered = ball.radius2 > R(0);
     if (any(entered)) offer(entered, ball.center, ball.radius2, R(1));
-    return first;
   }
 
   /// Nothing acts through portals.
@@ -111,11 +111,6 @@ struct LaneCrowdField {
   /// As of `LaneField`.
   static constexpr bool sees_borders_far_off = true;
   static constexpr bool may_lack_room = true;
-  static constexpr bool looks_back = true;
-
- private:
-  /// What changes in that last share of a step has been foreseen well enough.
-  static constexpr float foreseen = 3e-4f;
 };
 
 }  // namespace portalens

@@ -51,7 +51,7 @@ struct LaneField {
 
   /// What a step of the direction `t` is chosen from, and its first acceleration.
   [[nodiscard]] LaneBending<R> bending(Vec3<R> x, Vec3<R> t) const {
-    LaneBending<R> sum{{R(0), R(0), R(0)}, R(0), R(0)};
+    LaneBending<R> sum{{R(0), R(0), R(0)}, R(0), R(0), R(0)};
     for (int i = 0; i < scene.mass_count; ++i) {
       const LaneMass& mass = scene.masses[i];
       add_bending(sum, mass, spread<R>(mass.center) - x, squares[i], along[i], inside[i]);
@@ -95,28 +95,18 @@ struct LaneField {
       const Vec3<R> local = to_axes(x - spread<R>(gate.origin), gate.right, gate.up, gate.normal);
       const Vec3<R> way = to_axes(t, gate.right, gate.up, gate.normal);
       const Vec3<R> turn = to_axes(bend, gate.right, gate.up, gate.normal);
-      least = min(least, until_other_foot(gate, feet[g], local, way, turn));
+      least = min(least,
+                  until_other_foot(gate, feet[g], reached[g] > R(0) | !acting, local, way, turn));
     }
     return scene.fading ? min(least, until_faded(x, t)) : least;
   }
 
-  /// Where within the step a gate's nearest point changes its feature: what `boundary` could not
-  /// foresee on a way that bends. Until there the field was as frozen, so the path is right.
-  /// @param end  no later than which it is looked for, roughly
-  /// @return the share of the step, beyond 1 where there is none
-  [[nodiscard]] R first_change(typename R::Mask which, const LanePath<R>& path, Vec3<R> end) const {
-    FirstMeeting<R> first;
-    R qx[most_lane_gates], qy[most_lane_gates];
-    for (int g = 0; g < scene.gate_count; ++g) {
-      const LaneGate& gate = scene.gates[g];
-      const Vec3<R> local = local_of(g, end, qx, qy);
-      qx[g] = feet[g].x(local);
-      qy[g] = feet[g].y(local);
-      const auto changed = which & (reached[g] > R(0)) & has_other_foot(gate, feet[g], local);
-      if (any(changed)) offer_borders(first, gate, feet[g], changed, seen_from(g, path));
-    }
-    if (scene.fading) offer_faded(first, which, path, end);
-    return first.share;
+  /// Where within the step what acts changes. Until there the field was as frozen, so the path is
+  /// right.
+  void find_changes(FirstMeeting<R>& first, typename R::Mask which, const LanePath<R>& path,
+                    const LaneLooks<R>& looks) const {
+    for (int i = 0; i < scene.mass_count; ++i) find_border(first, which, path, looks, i);
+    if (scene.gate_count > 0) find_gates(first, which, path, looks);
   }
 
   /// Where a mass seen through a gate is so near that floats can't follow the light: `bare2`.
@@ -140,8 +130,6 @@ struct LaneField {
   static constexpr bool sees_borders_far_off = true;
   /// No lane has more masses about it than there is room for.
   static constexpr bool may_lack_room = false;
-  /// Only what comes through gates can change sooner than `boundary` says.
-  static constexpr bool looks_back = false;
 
  private:
   void decide_gates(Vec3<R> anchor) {
@@ -197,40 +185,86 @@ struct LaneField {
     return least;
   }
 
-  /// The same on a path, after the step.
-  void offer_faded(FirstMeeting<R>& first, typename R::Mask which, const LanePath<R>& path,
-                   Vec3<R> end) const {
-    R qx[most_lane_gates], qy[most_lane_gates];
-    for (int g = 0; g < scene.gate_count; ++g) {
-      const LaneGate& gate = scene.gates[g];
-      const Vec3<R> local = local_of(g, end, qx, qy);
-      qx[g] = feet[g].x(local);
-      qy[g] = feet[g].y(local);
-      const auto acts = which & (reached[g] > R(0));
-      if (gate.parent < 0 || gate.falls_short) {
-        const Vec3<R> from{local.x - qx[g], local.y - qy[g], local.z};
-        const auto near = dot(from, from) < R(gate.reach2);
-        const auto may = gate.parent < 0 ? which : which & (reached[gate.parent] > R(0));
-        const auto ends = may & ((near & !acts) | (acts & !near));
-        if (any(ends)) {
-          const LocalPath<R> seen_path = seen_from(g, path), q = feet[g].led_by(seen_path);
-          first.offer(ends, LaneSquare<R>{seen_path.x - q.x, seen_path.y - q.y, seen_path.z,
-                                          R(gate.reach2)});
+  /// Where the path enters or leaves the influence of a mass.
+  void find_border(FirstMeeting<R>& first, typename R::Mask which, const LanePath<R>& path,
+                   const LaneLooks<R>& looks, int i) const {
+    const LaneMass& mass = scene.masses[i];
+    const auto within = inside[i] > R(0);
+    const R radius(mass.influence), ahead = along[i];
+    const R inner = max(radius - path.h, R(0)), outer = radius + path.h,
+            aside = radius + path.stray;
+    const auto leaves = within & (squares[i] > inner * inner);
+    const auto comes = (!within) & (ahead + path.stray > R(0)) & (squares[i] < outer * outer) &
+                       (subtract_product(squares[i], ahead, ahead) < aside * aside);
+    const auto may = which & (leaves | comes);
+    if (!any(may)) return;
+    const Vec3<R> center = spread<R>(mass.center);
+    const R gap = path.h * R(1.0 / (LaneLooks<R>::count - 1));
+    LaneSpan<R> distances{R(0), squares[i]};
+    for (int k = 1; k < LaneLooks<R>::count; ++k) {
+      const Vec3<R> from = looks.place[k] - center;
+      distances = {distances.high, dot(from, from)};
+      first.offer_ball(may & first.open(looks.before(k)), within, radius, distances, gap,
+                       looks.before(k), [&] {
+                         return LaneDistance<R>{path, center, R(mass.influence2)};
+                       });
+    }
+  }
+
+  /// Where the nearest point of a gate that acts changes its feature, or where something begins or
+  /// ceases to act through one.
+  void find_gates(FirstMeeting<R>& first, typename R::Mask which, const LanePath<R>& path,
+                  const LaneLooks<R>& looks) const {
+    R qx[most_lane_gates], qy[most_lane_gates], square[most_lane_gates];
+    R faded[most_lane_gates][most_lane_masses];
+    const R gap = path.h * R(1.0 / (LaneLooks<R>::count - 1));
+    for (int k = 0; k < LaneLooks<R>::count; ++k) {
+      for (int g = 0; g < scene.gate_count; ++g) {
+        const LaneGate& gate = scene.gates[g];
+        const Vec3<R> local = local_of(g, looks.place[k], qx, qy);
+        Foot foot = feet[g];
+        const auto acts = reached[g] > R(0), other = has_other_foot(gate, foot, local);
+        if (any(other & !acts)) foot.take(other & !acts, Foot::on(gate, local));
+        qx[g] = foot.x(local);
+        qy[g] = foot.y(local);
+        const Vec3<R> q{qx[g], qy[g], R(0)}, from = local - q;
+        const LaneSpan<R> squares{square[g], dot(from, from)};
+        square[g] = squares.high;
+        const LaneSpan<R> span = looks.before(k > 0 ? k : 1);
+        auto still = which & first.open(span);
+        if (gate.parent >= 0) still = still & (reached[gate.parent] > R(0));
+        const bool looks_at = k > 0 && any(still);
+        if (looks_at) {
+          const auto changed = still & acts & other;
+          if (any(changed)) offer_borders(first, gate, feet[g], changed, seen_from(g, path), span);
+          if (gate.parent < 0 || gate.falls_short)
+            first.offer_ball(still, acts, R(gate.reach), squares, gap, span, [&] {
+              const LocalPath<R> seen_path = seen_from(g, path), led = foot.led_by(seen_path);
+              return LaneSquare<R>{seen_path.x - led.x, seen_path.y - led.y, seen_path.z,
+                                   R(gate.reach2)};
+            });
+        }
+        for (int i = 0; i < scene.mass_count; ++i) {
+          if (!gate.fades[i]) continue;
+          const Vec3<R> to_mass = spread<R>(gate.images[i]) - q;
+          const LaneSpan<R> distances{faded[g][i], dot(to_mass, to_mass)};
+          faded[g][i] = distances.high;
+          if (looks_at)
+            first.offer_ball(still & acts, seen[g][i] > R(0), R(scene.masses[i].influence),
+                             distances, gap, span, [&] { return faded_on(g, i, path); });
         }
       }
-      for (int i = 0; i < scene.mass_count; ++i) {
-        if (!gate.fades[i]) continue;
-        const R influence2(scene.masses[i].influence2);
-        const Vec3<R> d = spread<R>(gate.images[i]) - Vec3<R>{qx[g], qy[g], R(0)};
-        const auto near = dot(d, d)<influence2, held = seen[g][i]> R(0);
-        const auto ends = acts & ((near & !held) | (held & !near));
-        if (!any(ends)) continue;
-        const LocalPath<R> q = feet[g].led_by(seen_from(g, path));
-        const LaneQuintic<R, R> height{R(gate.images[i].z), R(0), R(0), R(0), R(0), R(0)};
-        first.offer(ends, LaneSquare<R>{q.x + R(-gate.images[i].x), q.y + R(-gate.images[i].y),
-                                        height, influence2});
-      }
     }
+  }
+
+  /// How far a mass is, on a path, from the nearest point of a gate that it acts through.
+  [[nodiscard]] LaneSquare<R> faded_on(int g, int i, const LanePath<R>& path) const {
+    const LocalPath<R> q = feet[g].led_by(seen_from(g, path));
+    const LaneVec& image = scene.gates[g].images[i];
+    return {q.x + R(-image.x),
+            q.y + R(-image.y),
+            {R(image.z), R(0), R(0), R(0), R(0), R(0)},
+            R(scene.masses[i].influence2)};
   }
 
   /// A gate's own direction of the way `t`: through another gate that of its nearest point.
@@ -269,6 +303,7 @@ struct LaneField {
                                    sum.stiffness);
       sum.nearness =
           select(gm > R(0), multiply_add(inverse4, slowness[g], sum.nearness), sum.nearness);
+      sum.gradient = multiply_add(R(2) * source.pull, feet[g].moves(), sum.gradient);
     });
   }
 

@@ -40,16 +40,19 @@ class LaneGravitonMap {
   [[nodiscard]] Mask acting() const { return acting_; }
 
   void add_to(LaneBending<R>& sum, Vec3<R> x, Vec3<R> t) const {
-    R slowness[most_lane_portals];
+    R slowness[most_lane_portals], moving(0);
     for (int k = 0; k < scene_.map_count; ++k) {
       const LaneFace& face = scene_.maps[k].face;
       const Vec3<R> way = to_axes(t, face.right, face.up, face.normal);
       slowness[k] = slowness_of(feet_[k].keep_x * way.x, feet_[k].keep_y * way.y);
       sum.nearness = sum.nearness + nearness_[k] * slowness[k];
+      moving = multiply_add(nearness_[k], feet_[k].moves(), moving);
     }
     const Found found = look_up(x, [&](int k) { return slowness[k]; });
     sum.acceleration += found.acceleration;
     sum.stiffness = sum.stiffness + found.stiffness;
+    const R pull = sqrt(dot(found.acceleration, found.acceleration));
+    sum.gradient = multiply_add(R(2) * pull, sqrt(sqrt(moving)), sum.gradient);
   }
 
   [[nodiscard]] Vec3<R> acceleration(Vec3<R> x) const {
@@ -63,7 +66,8 @@ class LaneGravitonMap {
       const Vec3<R> local = local_in(map.face, x);
       const Vec3<R> way = to_axes(t, map.face.right, map.face.up, map.face.normal);
       const Vec3<R> turn = to_axes(bend, map.face.right, map.face.up, map.face.normal);
-      least = min(least, until_other_foot(map.face, feet_[k], local, way, turn));
+      least = min(least, until_other_foot(map.face, feet_[k], (acts_[k] > R(0)) | !acting_, local,
+                                          way, turn));
       const R qx = feet_[k].x(local), qy = feet_[k].y(local);
       const R vx = feet_[k].keep_x * way.x, vy = feet_[k].keep_y * way.y;
       least = min(least, until_zero(qx - low_x_[k], vx));
@@ -75,25 +79,43 @@ class LaneGravitonMap {
   }
 
   /// As in `LaneField`; and where the cells end that a step may use.
-  [[nodiscard]] R first_change(Mask which, const LanePath<R>& path, Vec3<R> end) const {
-    FirstMeeting<R> first;
-    for (int k = 0; k < scene_.map_count; ++k) {
-      const LaneFace& face = scene_.maps[k].face;
-      const Vec3<R> local = local_in(face, end);
-      const R x = feet_[k].x(local), y = feet_[k].y(local);
-      const Mask leaves_x = (feet_[k].keep_x > R(0)) & ((x < low_x_[k]) | (x > high_x_[k]));
-      const Mask leaves_y = (feet_[k].keep_y > R(0)) & ((y < low_y_[k]) | (y > high_y_[k]));
-      const Mask acts = which & (acts_[k] > R(0));
-      const Mask changed = acts & has_other_foot(face, feet_[k], local);
-      if (!any(changed | (acts & (leaves_x | leaves_y)))) continue;
-      const auto seen = LocalPath<R>::over(face, path);
-      first.offer_borders(face, changed, seen);
-      first.offer(acts & leaves_x, seen.x + -low_x_[k]);
-      first.offer(acts & leaves_x, seen.x + -high_x_[k]);
-      first.offer(acts & leaves_y, seen.y + -low_y_[k]);
-      first.offer(acts & leaves_y, seen.y + -high_y_[k]);
+  void find_changes(FirstMeeting<R>& first, Mask which, const LanePath<R>& path,
+                    const LaneLooks<R>& looks) const {
+    const R gap = path.h * R(1.0 / (LaneLooks<R>::count - 1));
+    for (int m = 0; m < scene_.map_count; ++m) {
+      const LaneFace& face = scene_.maps[m].face;
+      const Mask acts = acts_[m] > R(0);
+      LaneSpan<R> squares{R(0), R(0)};
+      for (int k = 0; k < LaneLooks<R>::count; ++k) {
+        const Vec3<R> local = local_in(face, looks.place[k]);
+        LaneFoot<R> foot = feet_[m];
+        const Mask other = has_other_foot(face, foot, local);
+        if (any(other & !acts)) foot.take(other & !acts, foot_on(face, local));
+        const R x = foot.x(local), y = foot.y(local);
+        const Vec3<R> from{local.x - x, local.y - y, local.z};
+        squares = {squares.high, dot(from, from)};
+        if (k == 0) continue;
+        const LaneSpan<R> span = looks.before(k);
+        const Mask still = which & first.open(span);
+        if (!any(still)) continue;
+        const Mask changed = still & acts & other;
+        const Mask leaves_x = (feet_[m].keep_x > R(0)) & ((x < low_x_[m]) | (x > high_x_[m]));
+        const Mask leaves_y = (feet_[m].keep_y > R(0)) & ((y < low_y_[m]) | (y > high_y_[m]));
+        if (any(changed | (still & acts & (leaves_x | leaves_y)))) {
+          const auto seen = LocalPath<R>::over(face, path);
+          offer_borders(first, face, feet_[m], changed, seen, span);
+          const Mask stays = still & acts & !changed;
+          first.offer(stays & leaves_x, seen.x + -select(x < low_x_[m], low_x_[m], high_x_[m]),
+                      span);
+          first.offer(stays & leaves_y, seen.y + -select(y < low_y_[m], low_y_[m], high_y_[m]),
+                      span);
+        }
+        first.offer_ball(still, acts, sqrt(R(face.reach2)), squares, gap, span, [&] {
+          const LocalPath<R> seen = LocalPath<R>::over(face, path), led = foot.led_by(seen);
+          return LaneSquare<R>{seen.x - led.x, seen.y - led.y, seen.z, R(face.reach2)};
+        });
+      }
     }
-    return first.share;
   }
 
   /// Lanes don't take maps of what has no bound.

@@ -71,6 +71,7 @@ struct LaneOutlineFoot {
   [[nodiscard]] R y(Vec3<R> local) const {
     return multiply_add(keep_xy, local.x, multiply_add(keep_yy, local.y, fix_y));
   }
+  [[nodiscard]] R moves() const { return keep_xx + keep_yy; }
   [[nodiscard]] R speed_x(Vec3<R> way) const {
     return multiply_add(keep_xx, way.x, keep_xy * way.y);
   }
@@ -81,6 +82,15 @@ struct LaneOutlineFoot {
     return {path.x * keep_xx + path.y * keep_xy + fix_x,
             path.x * keep_xy + path.y * keep_yy + fix_y,
             {}};
+  }
+
+  /// Of the other only where its nearest point is.
+  void take(Mask where, const LaneOutlineFoot& other) {
+    keep_xx = select(where, other.keep_xx, keep_xx);
+    keep_xy = select(where, other.keep_xy, keep_xy);
+    keep_yy = select(where, other.keep_yy, keep_yy);
+    fix_x = select(where, other.fix_x, fix_x);
+    fix_y = select(where, other.fix_y, fix_y);
   }
 
   /// @param gate  has `outline`, and `tolerance`: heights down to minus this count as in front
@@ -170,33 +180,35 @@ template <class R, class Gate>
   return (within & leaves) | ((!within) & other);
 }
 
-/// All planes at which the nearest feature changes.
+/// Where the nearest feature changes within a span, at whose end it has.
 template <class R, class Gate>
 void offer_borders(FirstMeeting<R>& first, const Gate& gate, const LaneOutlineFoot<R>& foot,
-                   typename R::Mask may, const LocalPath<R>& path) {
+                   typename R::Mask may, const LocalPath<R>& path, LaneSpan<R> span) {
   const auto within = may & (foot.within > R(0)), beside = may & !(foot.within > R(0));
   const auto along = foot.along.height(path), out = foot.out.height(path);
-  first.offer(beside, along);
-  first.offer(beside, along + -foot.size);
-  first.offer(may, out + -foot.beyond);
-  if (!any(within)) return;
-  first.offer(within, path.z);
-  const auto behind = within & (foot.behind > R(0)), over = within & !behind;
-  for (int k = 0; k < gate.outline->count; ++k) {
-    const auto height = LaneLine<R>::outside(gate.outline->edges[k]).height(path);
-    first.offer(over, height);
-    first.offer(behind, height - out);
+  auto met = first.offer(beside, along, span) | first.offer(beside, along + -foot.size, span) |
+             first.offer(may, out + -foot.beyond, span);
+  if (any(within)) {
+    met = met | first.offer(within, path.z, span);
+    const auto behind = within & (foot.behind > R(0)), over = within & !behind;
+    for (int k = 0; k < gate.outline->count; ++k) {
+      const auto height = LaneLine<R>::outside(gate.outline->edges[k]).height(path);
+      met = met | first.offer(over, height, span) | first.offer(behind, height - out, span);
+    }
   }
+  first.missed = first.missed | (may & !met);
 }
 
 /// Where, straight on but for how the way turns at first, the nearest feature changes or the
 /// distance to it passes the reach.
 /// @param gate  has besides `reach2`
+/// @param features  whether it matters which is nearest
 /// @param way   direction, in local coordinates like `local`
 /// @param turn  its rate of change, in the same
 template <class R, class Gate>
-[[nodiscard]] R until_other_foot(const Gate& gate, const LaneOutlineFoot<R>& foot, Vec3<R> local,
-                                 Vec3<R> way, Vec3<R> turn) {
+[[nodiscard]] R until_other_foot(const Gate& gate, const LaneOutlineFoot<R>& foot,
+                                 typename R::Mask features, Vec3<R> local, Vec3<R> way,
+                                 Vec3<R> turn) {
   FirstPlane<R> first;
   const auto within = foot.within > R(0), behind = foot.behind > R(0);
   const R speed = foot.along.rate(way), place = foot.along.height(local);
@@ -225,7 +237,7 @@ template <class R, class Gate>
   const Vec3<R> at = from + (rate + bent * (straight * R(0.5))) * straight;
   const R more = (R(gate.reach2) - dot(at, at)) / (R(2) * dot(at, rate + bent * straight));
   const R ends = select(abs(more) < straight * R(0.5), straight + more, straight);
-  return min(first.along_the_curve(), ends);
+  return min(select(features, first.along_the_curve(), R(never)), ends);
 }
 
 }  // namespace portalens

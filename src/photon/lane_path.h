@@ -77,6 +77,12 @@ template <class R, class Function>
   return u;
 }
 
+/// A part of a step, lane by lane, as shares of it.
+template <class R>
+struct LaneSpan {
+  R low, high;
+};
+
 /// The step's path.
 template <class R>
 struct LanePath {
@@ -119,6 +125,25 @@ struct LanePath {
     const R within = (radius + stray) * R(1.0001);
     return dot(nearest, nearest) <= within * within;
   }
+};
+
+/// The places on a step's path at which lanes look whether what acts has changed; from the first,
+/// its start, to the last, nearly its end.
+template <class R>
+struct LaneLooks {
+  static constexpr int count = 4;
+  R share[count];
+  Vec3<R> place[count];
+
+  /// @param over  how far past a border a step ends
+  LaneLooks(const LanePath<R>& path, R over) {
+    const R last = max(R(1) - R(2) * over / path.h, R(0.5));
+    for (int k = 0; k < count; ++k) {
+      share[k] = last * R(k / (count - 1.0));
+      place[k] = path.place.at(share[k]);
+    }
+  }
+  [[nodiscard]] LaneSpan<R> before(int k) const { return {share[k - 1], share[k]}; }
 };
 
 /// The square of a path's distance from a place, less that of a radius.

@@ -277,6 +277,8 @@ void set_steps(const Space& space, bool looks_through, double overshoot, LanePla
   scene.stiffness_weight = static_cast<float>(step.stiffness_weight);
   scene.nearness_weight = static_cast<float>(
       step.nearness_weight / (looks_through ? std::pow(longest_with_portals, 4) : 1.0));
+  scene.third_weight = static_cast<float>(step.third_weight);
+  scene.feedback_weight = static_cast<float>(step.feedback_weight);
   scene.overshoot = static_cast<float>(overshoot);
   scene.ahead = scene.overshoot;
   scene.farthest = static_cast<float>(2.0 * space.extent);

@@ -14,6 +14,7 @@ template <class R>
 struct LaneBending {
   Vec3<R> acceleration;
   R stiffness, nearness;
+  R gradient;  ///< how much the acceleration differs by, over the distance, 1/length²
 };
 
 template <class R>
@@ -42,6 +43,7 @@ void add_bending(LaneBending<R>& sum, const LaneMass& mass, Vec3<R> to_mass, R s
   const R nearness = multiply_add(pull.inverse2 * pull.inverse2,
                                   approach_weight(along * pull.inverse), sum.nearness);
   sum.nearness = select(gm > R(0), nearness, sum.nearness);
+  sum.gradient = multiply_add(R(2), pull.pull, sum.gradient);
 }
 
 /// Adds its acceleration of what is `to_mass` from it.

@@ -47,6 +47,14 @@ struct LaneFoot {
   [[nodiscard]] static LaneFoot on(const Rectangle& rectangle, Vec3<R> local) {
     return foot_on(rectangle, local);
   }
+  void take(typename R::Mask where, const LaneFoot& other) {
+    keep_x = select(where, other.keep_x, keep_x);
+    fix_x = select(where, other.fix_x, fix_x);
+    keep_y = select(where, other.keep_y, keep_y);
+    fix_y = select(where, other.fix_y, fix_y);
+  }
+  /// 1 where the nearest point moves as the photon does, be it along an edge only; else 0.
+  [[nodiscard]] R moves() const { return max(keep_x, keep_y); }
   /// How fast the nearest point moves, as the photon does.
   [[nodiscard]] R speed_x(Vec3<R> way) const { return keep_x * way.x; }
   [[nodiscard]] R speed_y(Vec3<R> way) const { return keep_y * way.y; }
@@ -118,58 +126,110 @@ struct LocalPath {
   }
 };
 
-/// The plane that a step's path meets first; one that it meets twice is not seen.
+/// The first place on a step's path where what acts changes.
 template <class R>
 struct FirstMeeting {
-  R share{2};  ///< of the step; beyond 1: none
+  using Mask = typename R::Mask;
 
+  R share{2};                 ///< of the step; beyond 1: none
+  Mask missed = R(1) < R(0);  ///< lanes where something has changed, but where was not found
+
+  /// Where nothing has been met before a span.
+  [[nodiscard]] Mask open(LaneSpan<R> span) const { return (share > span.low) & !missed; }
+
+  /// Where a height vanishes that has other signs at the ends of a span; which lanes that is in.
   /// @param height  a polynomial, or the square of a distance less that of a radius
   template <class Height>
-  void offer(typename R::Mask may, const Height& height) {
-    const R z0 = height.at(R(0)), z1 = height.at(R(1));
-    const auto crosses = may & (z0 * z1 < R(0));
-    if (!any(crosses)) return;
-    const R guess = z0 / select(crosses, z0 - z1, R(1));
-    const R u = crossing(crosses, height, guess, z0, R(0), R(1));
+  Mask offer(Mask may, const Height& height, LaneSpan<R> span) {
+    const R z0 = height.at(span.low), z1 = height.at(span.high);
+    const auto crosses = may & (((z0 > R(0)) & (z1 <= R(0))) | ((z0 < R(0)) & (z1 >= R(0))));
+    if (!any(crosses)) return crosses;
+    const R part = z0 / select(crosses, z0 - z1, R(1));
+    const R guess = multiply_add(span.high - span.low, part, span.low);
+    const R u = crossing(crosses, height, guess, z0, span.low, span.high);
     share = min(share, select(crosses, u, R(2)));
+    return crosses;
   }
 
-  /// All planes at which the nearest feature of a rectangle changes.
+  /// Where a ball is entered or left within a span, be it only for a part of it.
+  /// @param within  it counts as within at the start of the step
+  /// @param squares  of the distance from the ball's middle at both ends of the span
+  /// @param gap     no distance changes by more over the span
+  /// @param square  gives the square of the distance, less that of the radius, on the path
+  template <class Square>
+  void offer_ball(Mask may, Mask within, R radius, LaneSpan<R> squares, R gap, LaneSpan<R> span,
+                  const Square& square) {
+    const auto ends_in = squares.high < radius * radius;
+    const Mask toggles = may & ((ends_in & !within) | (within & !ends_in));
+    const R inner = max(radius - R(0.5) * gap, R(0)), outer = radius + R(0.5) * gap;
+    const Mask grazes = may & !toggles &
+                        ((within & (max(squares.low, squares.high) > inner * inner)) |
+                         (!within & (min(squares.low, squares.high) < outer * outer)));
+    if (!any(toggles | grazes)) return;
+    const auto excess = square();
+    if (any(grazes)) offer_graze(grazes, within, excess, span);
+    if (any(toggles)) missed = missed | (toggles & !offer(toggles, excess, span));
+  }
+
+  /// Where the nearest feature of a rectangle changes within a span, at whose end it has.
   template <class Rectangle>
-  void offer_borders(const Rectangle& rectangle, typename R::Mask may, const LocalPath<R>& path) {
+  void offer_borders(const Rectangle& rectangle, const LaneFoot<R>& foot, Mask may,
+                     const LocalPath<R>& path, LaneSpan<R> span) {
     const R w(rectangle.half_width), h(rectangle.half_height);
-    offer(may, path.x + -w);
-    offer(may, path.x + w);
-    offer(may, path.y + -h);
-    offer(may, path.y + h);
-    offer(may & (abs(path.x.c0) <= w) & (abs(path.y.c0) <= h), path.z);
-    const auto behind = may & (path.z.c0 < R(0));
-    if (!any(behind)) return;
-    const R gap = h - w;
-    offer(behind, path.x);
-    offer(behind, path.y);
-    offer(behind, path.x - path.y + gap);
-    offer(behind, path.x - path.y + -gap);
-    offer(behind, path.x + path.y + gap);
-    offer(behind, path.x + path.y + -gap);
+    const R x = path.x.at(span.high), y = path.y.at(span.high);
+    const R side_x = select(foot.keep_x > R(0), select(x < R(0), -w, w), foot.fix_x);
+    const R side_y = select(foot.keep_y > R(0), select(y < R(0), -h, h), foot.fix_y);
+    Mask met = offer(may, path.x + -side_x, span) | offer(may, path.y + -side_y, span);
+    met = met | offer(may, path.z, span);
+    const auto behind = may & (path.z.at(span.low) < R(0));
+    if (any(behind)) {
+      const R gap = h - w;
+      met =
+          met | offer(behind, path.x, span) | offer(behind, path.y, span) |
+          offer(behind, path.x - path.y + gap, span) | offer(behind, path.x - path.y + -gap, span) |
+          offer(behind, path.x + path.y + gap, span) | offer(behind, path.x + path.y + -gap, span);
+    }
+    missed = missed | (may & !met);
+  }
+
+ private:
+  /// Where a ball is entered and left again within a span, or left and entered.
+  template <class Excess>
+  void offer_graze(Mask may, Mask within, const Excess& excess, LaneSpan<R> span) {
+    const R side = select(within, R(-1), R(1));
+    const Mask turns =
+        may & (excess.slope(span.low) * side < R(0)) & (excess.slope(span.high) * side > R(0));
+    if (!any(turns)) return;
+    R low = span.low, high = span.high;
+    for (int k = 0; k < 8; ++k) {
+      const R middle = (low + high) * R(0.5);
+      const auto before = excess.slope(middle) * side < R(0);
+      low = select(before, middle, low);
+      high = select(before, high, middle);
+    }
+    const R turn = (low + high) * R(0.5);
+    const Mask passes = turns & (excess.at(turn) * side < R(0));
+    if (any(passes)) offer(passes, excess, {span.low, turn});
   }
 };
 
-/// All planes at which the nearest feature of a rectangle changes.
+/// Where the nearest feature of a rectangle changes.
 template <class R, class Rectangle>
-void offer_borders(FirstMeeting<R>& first, const Rectangle& rectangle, const LaneFoot<R>&,
-                   typename R::Mask may, const LocalPath<R>& path) {
-  first.offer_borders(rectangle, may, path);
+void offer_borders(FirstMeeting<R>& first, const Rectangle& rectangle, const LaneFoot<R>& foot,
+                   typename R::Mask may, const LocalPath<R>& path, LaneSpan<R> span) {
+  first.offer_borders(rectangle, foot, may, path, span);
 }
 
 /// Where, straight on but for how the way turns at first, the nearest feature changes or the
 /// distance to it passes the reach.
 /// @param rectangle  has besides `reach2`
+/// @param features   whether it matters which is nearest
 /// @param way        direction, in local coordinates like `local`
 /// @param turn       its rate of change, in the same
 template <class R, class Rectangle>
-[[nodiscard]] R until_other_foot(const Rectangle& rectangle, const LaneFoot<R>& foot, Vec3<R> local,
-                                 Vec3<R> way, Vec3<R> turn) {
+[[nodiscard]] R until_other_foot(const Rectangle& rectangle, const LaneFoot<R>& foot,
+                                 typename R::Mask features, Vec3<R> local, Vec3<R> way,
+                                 Vec3<R> turn) {
   const R w(rectangle.half_width), h(rectangle.half_height);
   FirstPlane<R> first;
   // Beside the rectangle its own plane divides nothing.
@@ -197,7 +257,8 @@ template <class R, class Rectangle>
   const Vec3<R> from{local.x - foot.x(local), local.y - foot.y(local), local.z};
   const Vec3<R> rate{way.x * (R(1) - foot.keep_x), way.y * (R(1) - foot.keep_y), way.z};
   const R outside = dot(from, from) - R(rectangle.reach2);
-  return min(first.along_the_curve(), until_sphere(-dot(from, rate), outside, dot(rate, rate)));
+  return min(select(features, first.along_the_curve(), R(never)),
+             until_sphere(-dot(from, rate), outside, dot(rate, rate)));
 }
 
 }  // namespace portalens

@@ -184,6 +184,7 @@ struct LaneScene {
   int mass_count, gate_count, map_count, entrance_count, way_count, portal_count, outline_count,
       polygon_count, sphere_count, box_count, lone_count;
   float stiffness_weight, nearness_weight;  ///< of the step, see Radau
+  float third_weight, feedback_weight;      ///< of the step's roughness, see Radau
   float ahead;         ///< the place that decides what acts lies this far ahead
   float overshoot;     ///< a step ends this far past a boundary
   float farthest;      ///< no step in the field is longer
@@ -229,6 +230,7 @@ struct alignas(64) Lanes {
   float x[lane_count], y[lane_count], z[lane_count];
   float tx[lane_count], ty[lane_count], tz[lane_count];
   float length[lane_count], turning[lane_count], steps[lane_count];
+  float longest[lane_count];        ///< of the next step: what the error of the last allows
   float live[lane_count];           ///< 1 or 0
   float departed[lane_count];       ///< shape that the photon leaves, or -1; or a portal's front
   float departed_side[lane_count];  ///< on which side it leaves it: 1 or -1

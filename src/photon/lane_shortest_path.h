@@ -38,6 +38,8 @@ class LaneShortestPath {
       const R stiffness = held.gm * inverse_square * inverse2 * sqrt(inverse2);
       sum.stiffness = sum.stiffness + select(acts, stiffness * R(distant_weight), R(0));
       sum.nearness = sum.nearness + select(acts, inverse2 * inverse2, R(0));
+      sum.gradient =
+          sum.gradient + select(acts, R(2) * held.gm * inverse_square * sqrt(inverse2), R(0));
     });
   }
 
@@ -68,8 +70,26 @@ class LaneShortestPath {
     return select(changed, bad, R(never));
   }
 
-  /// None that `boundary` does not find.
-  [[nodiscard]] R first_change(Mask, const LanePath<R>&, Vec3<R>) const { return R(2); }
+  /// As in `LaneField`: by halving, as `boundary`.
+  void find_changes(FirstMeeting<R>& first, Mask which, const LanePath<R>& path,
+                    const LaneLooks<R>& looks) const {
+    R good(0), bad(2);
+    Mask changed = R(1) < R(0);
+    for (int k = 1; k < LaneLooks<R>::count; ++k) {
+      const Mask now = which & !changed & differs(looks.place[k]);
+      bad = select(now, looks.share[k], bad);
+      changed = changed | now;
+      good = select(changed, good, looks.share[k]);
+    }
+    if (!any(changed)) return;
+    for (int k = 0; k < halvings; ++k) {
+      const R middle = (good + bad) * R(0.5);
+      const Mask now = differs(path.place.at(middle));
+      bad = select(now, middle, bad);
+      good = select(now, good, middle);
+    }
+    first.share = select(changed, min(first.share, bad), first.share);
+  }
 
   /// As of `LaneField`; ways over the rim are longer than straight ones.
   [[nodiscard]] Mask too_near(Vec3<R> x) const {

@@ -51,7 +51,7 @@ class LaneStepper {
     const LaneBending<R> start = field.bending(x, t);
     const V bend = turning_part(start.acceleration, t);
     const Mask flies = !field.acting;
-    const R most = longest(x, start, flies);
+    const R most = min(longest(x, start, flies), select(flies, R(never), read(lanes_.longest)));
     const R border = field.boundary(x, t, bend, most);
     R h = min(most, border + R(scene_.overshoot));
     // Scenes without lone masses pay for a branch.
@@ -66,11 +66,18 @@ class LaneStepper {
     const Bends<R> bends = Radau::bends(acceleration, here, start.acceleration, h);
     StateOf<R> end = Radau::end(here, bends, h);
     end.direction = unit(end.direction);
-
     const LanePath<R> path(here, bends, h);
+    const R node(radau_nodes[3]), pull = sqrt(dot(start.acceleration, start.acceleration));
+    const StateOf<R> last{path.place.at(node), path.place.slope(node) * (R(1) / h)};
+    const R roughness = Radau::roughness(Radau::doubt(bends, last, h), pull, start.gradient, h,
+                                         R(scene_.third_weight), R(scene_.feedback_weight));
+    const R next = select(flies, R(never), Radau::longest_after(h, roughness, R(never)));
+    const Mask again = live & !flies & (roughness > R(Radau::roughest));
     LaneFinding<R> found;
     R doubtful = select(
         flies & (span(x) > R(F::sees_borders_far_off ? scene_.flight_limit : -1.0f)), R(1), R(0));
+    // Steps as short as borders are found exactly have no place here.
+    doubtful = select(!flies & (most < R(4) * R(scene_.overshoot)), R(1), doubtful);
     find_horizons(path, end, field, found, doubtful);
     find_portals(path, end, found);
     find_polygons(path, end, found, doubtful);
@@ -82,15 +89,16 @@ class LaneStepper {
     doubtful = select(field.too_near(x), R(1), doubtful);
     if constexpr (F::may_lack_room) doubtful = select(field.lacks_room, R(1), doubtful);
 
-    const Mask consults = live & (doubtful > R(0));
-    find_change(path, end, field, live & !consults, found);
-    const Mask ends = (found.share <= R(1)) & live & !consults;
+    find_change(path, field, live & !flies & !again & !(doubtful > R(0)), found, doubtful);
+    const Mask consults = live & (doubtful > R(0)) & !again;
+    const Mask ends = (found.share <= R(1)) & live & !consults & !again;
     Mask escapes = live & flies & (border >= R(never)) & !(found.share <= R(1)) & !consults;
     if (has_lone) {
       lone.enters = live & lone.enters & !consults & !ends;
       escapes = escapes & !lone.enters;
     }
-    const Mask stays = consults | escapes | !live;
+    const Mask stays = consults | escapes | again | !live;
+    select(live, next, R(never)).store(lanes_.longest + first_);
 
     V x1 = end.position, t1 = end.direction;
     const V turned = end.direction - t;
@@ -128,7 +136,7 @@ class LaneStepper {
     write(lanes_.departed, stays, read(lanes_.departed), R(-1));
     const Mask within = (travelled <= R(scene_.max_length)) & (turning <= R(scene_.max_turning)) &
                         (steps <= R(scene_.max_steps));
-    R event = select(live & !within, code(LaneEvent::limit), R(0));
+    R event = select(live & !again & !within, code(LaneEvent::limit), R(0));
     if (crosses) {
       const Mask counts = (event == R(0)) | (crossed == code(LaneEvent::horizon));
       event = select(lone.enters & counts, crossed, event);
@@ -172,16 +180,16 @@ class LaneStepper {
     return select(flies, span(x) + R(scene_.radius), min(proposed, R(scene_.farthest)));
   }
 
-  /// Ends the step where the form of the field changes, if `boundary` has not foreseen it.
-  void find_change(const LanePath<R>& path, const StateOf<R>& end, const F& field, Mask which,
-                   LaneFinding<R>& found) const {
-    if (!F::looks_back && scene_.gate_count + scene_.map_count == 0) return;
+  /// Ends the step where what acts changes, if `boundary` has not foreseen it. A straight flight
+  /// ends where it has.
+  void find_change(const LanePath<R>& path, const F& field, Mask which, LaneFinding<R>& found,
+                   R& doubtful) const {
+    if (!any(which)) return;
     const R over(scene_.overshoot);
-    // What changes just before the end has been foreseen.
-    const V before =
-        subtract_product(end.position, end.direction, multiply_add(path.h, R(2e-3), R(2) * over));
-    const R change = field.first_change(which, path, before);
-    found.offer(change <= R(1), change + over / path.h, LaneEvent::none, R(-1));
+    FirstMeeting<R> first;
+    field.find_changes(first, which, path, LaneLooks<R>(path, over));
+    doubtful = select(first.missed, R(1), doubtful);
+    found.offer(first.share <= R(1), first.share + over / path.h, LaneEvent::none, R(-1));
   }
 
   void find_horizons(const LanePath<R>& path, const StateOf<R>& end, const F& field,

@@ -13,10 +13,20 @@ struct StateOf {
 };
 using State = StateOf<double>;
 
+/// By how much the parts of a step disagree, from which an adaptive integrator judges it.
+template <class Real>
+struct StepDoubt {
+  Real uneven{};  ///< what the field along it has of the third order, radians
+  Real turn{};    ///< the most that it turns by, were it to last, radians
+  Real missed{};  ///< how far its last node lies from the place that was foreseen for it, length
+  Real turned{};  ///< and its direction from that which was foreseen, radians
+};
+
 template <class Real>
 struct StepResult {
   StateOf<Real> end;
-  Real middle_bend{};  ///< |dt/ds| halfway, for the curve between
+  Real middle_bend{};       ///< |dt/ds| halfway, for the curve between
+  StepDoubt<Real> doubt{};  ///< of adaptive integrators
 };
 
 /// The part of g/c² that turns a photon: dt/ds = (g - (g·t) t) / c². Dunigan & Pianta, sec. 5.
