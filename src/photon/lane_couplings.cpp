@@ -27,7 +27,7 @@ class GatePlanner {
 
  private:
   [[nodiscard]] bool add(int depth, int parent, std::uint32_t left_out, const Portal* entered) {
-    const auto portals = space_.portals.portals();
+    const std::vector<Portal>& portals = space_.mouths;
     if (depth <= 0) return true;
     for (std::uint32_t a = 0; a < portals.size(); ++a) {
       const double reach = coupling_.reach(a, depth);
@@ -35,7 +35,10 @@ class GatePlanner {
       if (scene_.gate_count == most_lane_gates || masses_.size() > most_lane_masses) return false;
       const int index = scene_.gate_count++;
       fill(scene_.gates[index], portals[a], reach, parent, entered);
-      if (scene_.outline_count > 0) scene_.gates[index].outline = &scene_.outlines[a];
+      if (scene_.outline_count > 0) {
+        if (a >= static_cast<std::uint32_t>(scene_.outline_count)) return false;
+        scene_.gates[index].outline = &scene_.outlines[a];
+      }
       if (!add(depth - 1, index, portals[a].pair, &portals[a])) return false;
     }
     return true;
@@ -44,7 +47,7 @@ class GatePlanner {
   void fill(LaneGate& gate, const Portal& portal, double reach, int parent,
             const Portal* entered) const {
     const Frame& frame = portal.frame;
-    const Frame& beyond = space_.portals.portals()[portal.pair].frame;
+    const Frame& beyond = space_.mouths[portal.pair].frame;
     const Rectangle rectangle = rectangle_of(portal);
     gate = {};
     gate.parent = parent;
@@ -53,7 +56,7 @@ class GatePlanner {
     gate.up = narrow(frame.up);
     gate.normal = narrow(frame.normal);
     if (entered) {
-      const Frame& out = space_.portals.portals()[entered->pair].frame;
+      const Frame& out = space_.mouths[entered->pair].frame;
       gate.offset = narrow(frame.to_local(out.origin));
       gate.by_x = narrow(frame.direction_to_local(-out.right));
       gate.by_y = narrow(frame.direction_to_local(out.up));
@@ -79,7 +82,7 @@ class GatePlanner {
     }
     gate.falls_short = false;
     if (entered)
-      for (const Vec3d& from : space_.portals.portals()[entered->pair].vertices)
+      for (const Vec3d& from : space_.mouths[entered->pair].vertices)
         gate.falls_short = gate.falls_short || !(farthest(portal, from) < 0.9999 * reach);
     scene_.fading = scene_.fading || gate.falls_short;
   }
@@ -147,13 +150,16 @@ void add_nodes(const GravitonGrid& grid, double inverse_c2, LanePlan& plan) {
     }
 }
 
-void add_maps(const Space& space, const GravitonMapCoupling& coupling, LanePlan& plan) {
-  const auto portals = space.portals.portals();
+/// False if there is not room enough.
+[[nodiscard]] bool add_maps(const Space& space, const GravitonMapCoupling& coupling,
+                            LanePlan& plan) {
+  const std::vector<Portal>& portals = space.mouths;
   const double inverse_c2 = 1.0 / (space.physics.c * space.physics.c);
   std::vector<std::size_t> first;
   for (std::uint32_t a = 0; a < portals.size(); ++a) {
     const double reach = coupling.exact().reach(a);
     if (!(reach > 0.0)) continue;
+    if (plan.scene.map_count == most_lane_portals) return false;
     const LaneFace face = face_of(portals[a], plan.center, reach);
     plan.scene.maps[plan.scene.map_count++] = map_of(coupling.grid(a), face);
     first.push_back(plan.map_cells.size() / 2);
@@ -164,6 +170,7 @@ void add_maps(const Space& space, const GravitonMapCoupling& coupling, LanePlan&
     plan.scene.maps[i].nodes = plan.map_nodes.data() + 4 * first[i];
     plan.scene.maps[i].cells = plan.map_cells.data() + 2 * first[i];
   }
+  return true;
 }
 
 /// Chains of one portal only.
@@ -175,8 +182,9 @@ void add_maps(const Space& space, const GravitonMapCoupling& coupling, LanePlan&
   for (const ShortestPathCoupling::Image& image : coupling.images()) {
     const std::vector<std::uint32_t> chain = coupling.chain(image);
     if (chain.size() > 1) return false;
-    const Portal& portal = space.portals.portals()[chain.front()];
+    const Portal& portal = space.mouths[chain.front()];
     // Images come portal by portal.
+    if (chain.front() != entered && scene.entrance_count == most_lane_portals) return false;
     if (chain.front() != entered)
       scene.entrances[scene.entrance_count++] = {face_of(portal, plan.center, 0.0), scene.way_count,
                                                  scene.way_count};
@@ -215,7 +223,7 @@ bool add_coupling(const Space& space, LanePlan& plan) {
     return GatePlanner(space, *closest, plan).plan();
   const bool rectangles = plan.scene.outline_count == 0;
   if (const auto* map = std::get_if<GravitonMapCoupling>(&space.coupling))
-    return rectangles && (add_maps(space, *map, plan), true);
+    return rectangles && add_maps(space, *map, plan);
   if (const auto* shortest = std::get_if<ShortestPathCoupling>(&space.coupling))
     return rectangles && add_ways(space, *shortest, plan);
   return std::holds_alternative<PortalMassCoupling>(space.coupling) ||

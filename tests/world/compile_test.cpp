@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "support/flush_scenes.h"
 #include "support/scene_text.h"
 
 namespace portalens {
@@ -340,6 +341,26 @@ vertices = [[31,1,0], [33,1,0], [33,3,0], [31,3,0]]
   EXPECT_EQ(world.warnings.size(), 7u) << all;
   ASSERT_EQ(world.remarks.size(), 1u);
   EXPECT_NE(world.remarks[0].find("within the influence of 'near'"), std::string::npos);
+}
+
+std::string warnings_of(const std::string& scene) {
+  std::string all;
+  for (const std::string& warning : compiled(scene).warnings) all += warning + "\n";
+  return all;
+}
+
+TEST(Compile, WarnsOfWhatLiesInOnePlaneAndTellsWhatIsSeen) {
+  using namespace test;
+  EXPECT_EQ(warnings_of(door_on_a_wall),
+            "'a' lies in the plane of 'quad0': where it is met, 'quad0' is not\n"
+            "'b' lies in the plane of 'quad1': where it is met, 'quad1' is not\n");
+  EXPECT_EQ(warnings_of(mirror_on_a_wall),
+            "'mirror0' lies in the plane of 'quad1': where both are, 'mirror0' is seen\n");
+  EXPECT_EQ(
+      warnings_of(picture_on_a_wall),
+      "'the picture' lies in the plane of 'the wall': where both are, 'the picture' is seen\n");
+  EXPECT_EQ(warnings_of(pairs_back_to_back), "");
+  EXPECT_EQ(warnings_of(pair_in_one_place), "");
 }
 
 std::string masses_along(int count, double apart) {
