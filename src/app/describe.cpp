@@ -65,8 +65,9 @@ Json portals_json(const World& world) {
          {"size", {width, height}},
          {"vertices", portal.vertices.size()},
          {"tint", to_json(portal.tint)},
-         {"back",
-          portal.back_material ? world.appearance.materials[*portal.back_material].name : "open"}});
+         {"back", portal.two_sided       ? "portal"
+                  : portal.back_material ? world.appearance.materials[*portal.back_material].name
+                                         : "open"}});
   }
   return list;
 }
@@ -82,7 +83,7 @@ Json camera_json(const Camera& camera) {
 
 CouplingInput coupling_input(const Space& space) {
   const Physics& physics = space.physics;
-  return {space.portals.portals(), space.masses, physics.min_force,
+  return {space.mouths, space.masses, physics.min_force,
           static_cast<int>(physics.portal_gravity_depth),
           static_cast<int>(physics.graviton_resolution)};
 }
@@ -106,7 +107,7 @@ Json gravity_json(const Space& space) {
                {"pulls_to_prepare", cost.preparation}};
   const std::vector<GravitonMapError> errors = map_errors(space);
   for (std::size_t i = 0; i < errors.size(); ++i)
-    json["map_errors"].push_back({{"portal", space.portals.portals()[i].name},
+    json["map_errors"].push_back({{"portal", space.mouths[i].name},
                                   {"typical", errors[i].typical},
                                   {"largest", errors[i].largest}});
   return json;
@@ -153,6 +154,7 @@ std::string portal_text(const World& world, const Portal& portal) {
   std::string text =
       fmt::format("  {} -> {}: {:.6g} x {:.6g} at {}, facing {}", portal.name, pair.name, width,
                   height, place(portal.frame.origin), place(portal.frame.normal));
+  if (portal.two_sided) text += ", and back to back";
   if (portal.back_material)
     text += ", back " + world.appearance.materials[*portal.back_material].name;
   return text + '\n';
@@ -194,7 +196,7 @@ std::string gravity_text(const Space& space) {
   const std::vector<GravitonMapError> errors = map_errors(space);
   for (std::size_t i = 0; i < errors.size(); ++i)
     text += fmt::format("\n  map of {}: {:.2g} off closest-point, at worst {:.2g} of the strongest",
-                        space.portals.portals()[i].name, errors[i].typical, errors[i].largest);
+                        space.mouths[i].name, errors[i].typical, errors[i].largest);
   return text;
 }
 

@@ -27,7 +27,7 @@ Vec3d pull_of(const Mass& mass, Vec3d x) {
 std::string names_of(const Space& space, const std::vector<std::uint32_t>& portals) {
   std::string names;
   for (const std::uint32_t portal : portals)
-    names += (names.empty() ? "" : ", ") + space.portals.portals()[portal].name;
+    names += (names.empty() ? "" : ", ") + space.mouths[portal].name;
   return names;
 }
 
@@ -67,8 +67,7 @@ Json field_json(const Space& space, const FieldReport& report) {
                       {"distance", part.distance}});
   for (const PullPart& part : report.through) {
     Json portals = Json::array(), places = Json::array();
-    for (const std::uint32_t portal : part.portals)
-      portals.push_back(space.portals.portals()[portal].name);
+    for (const std::uint32_t portal : part.portals) portals.push_back(space.mouths[portal].name);
     for (const Vec3d& at : part.places) places.push_back(to_json(at));
     through.push_back({{"portals", portals},
                        {"mass", part.mass ? Json(space.masses[*part.mass].name) : Json()},

@@ -84,9 +84,12 @@ void add_portals(const World& world, Sheet& sheet) {
     loop.push_back(loop.front());
     sheet.add_lines({loop}, {color, 2.4}, "portal");
     const Vec3d middle = portal.frame.origin;
-    sheet.add_arrow(middle, middle + portal.frame.normal * (0.22 * portal.longest_edge), color,
-                    "portal normal");
-    keep_free(middle, middle + portal.frame.normal * (0.22 * portal.longest_edge), sheet);
+    for (const double side : {1.0, -1.0}) {
+      if (side < 0.0 && !portal.two_sided) continue;
+      const Vec3d tip = middle + portal.frame.normal * (side * 0.22 * portal.longest_edge);
+      sheet.add_arrow(middle, tip, color, "portal normal");
+      keep_free(middle, tip, sheet);
+    }
     if (portals.size() <= most_names) add_name(portal, color, sheet);
   }
 }

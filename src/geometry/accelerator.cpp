@@ -19,8 +19,9 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Up to so many shapes other than meshes are tried one by one, each behind its box.
 constexpr std::size_t few = 16;
 
+/// Round surfaces that coincide are equally far away to the bit: then the later is met.
 bool comes_before(const SurfaceHit& a, const SurfaceHit& b) {
-  return std::tie(a.distance, a.shape, a.face) < std::tie(b.distance, b.shape, b.face);
+  return std::tie(a.distance, b.shape, a.face) < std::tie(b.distance, a.shape, b.face);
 }
 
 struct MeshTree {
@@ -36,6 +37,7 @@ struct Search {
   double low, high;
   const Departure& departure;
   std::optional<SurfaceHit> best;
+  LeftPlane left;  ///< the plane of the departure
 
   /// Takes the hit if it is the nearest so far; then only nearer ones matter.
   void offer(const SurfaceHit& hit) {
@@ -52,8 +54,9 @@ struct Accelerator::Implementation {
   std::vector<std::uint32_t> plain;  ///< the shapes that are no meshes
   std::vector<MeshTree> meshes;
   std::optional<BoxTree> plain_tree;  ///< over `plain`, if they are many
+  FlushFaces flush;
 
-  explicit Implementation(std::vector<Shape> all);
+  Implementation(std::vector<Shape> all, std::span<const Opening> openings);
 
   [[nodiscard]] SurfacePoint surface_at(std::uint32_t shape, std::uint32_t face, Vec3d x) const {
     return std::visit([&](const auto& s) { return s.surface_at(x, face); }, shapes[shape]);
@@ -67,6 +70,8 @@ struct Accelerator::Implementation {
   }
   /// Whether this is the surface that the path has just left.
   [[nodiscard]] bool left_behind(const Search& search, const SurfaceHit& hit) const;
+  /// The hit, or one of what lies in its plane and is met in its place there.
+  [[nodiscard]] SurfaceHit uppermost(const SurfaceHit& hit, const Ray& ray) const;
   void try_plain(Search& search, std::uint32_t shape) const;
   /// @param free_until  no triangle of it is met before
   void try_mesh(Search& search, const MeshTree& mesh, double free_until) const;
@@ -75,7 +80,9 @@ struct Accelerator::Implementation {
   [[nodiscard]] std::optional<SurfaceHit> run(Search search) const;
 };
 
-Accelerator::Implementation::Implementation(std::vector<Shape> all) : shapes(std::move(all)) {
+Accelerator::Implementation::Implementation(std::vector<Shape> all,
+                                            std::span<const Opening> openings)
+    : shapes(std::move(all)) {
   std::optional<TreeBuilder> builder;
   const auto tree = [&](std::size_t count, const auto& box_of) {
     if (!builder) builder.emplace();
@@ -100,6 +107,9 @@ Accelerator::Implementation::Implementation(std::vector<Shape> all) : shapes(std
   if (plain.size() > few)
     plain_tree.emplace(
         tree(plain.size(), [this](std::uint32_t item) { return boxes[plain[item]]; }));
+  std::vector<MeshTriangles> triangles;
+  for (const MeshTree& mesh : meshes) triangles.push_back({mesh.shape, mesh.mesh, &mesh.tree});
+  flush = FlushFaces(shapes, triangles, openings);
 }
 
 const MeshTree* Accelerator::Implementation::mesh_of(std::uint32_t shape) const {
@@ -111,8 +121,12 @@ const MeshTree* Accelerator::Implementation::mesh_of(std::uint32_t shape) const 
 
 bool Accelerator::Implementation::left_behind(const Search& search, const SurfaceHit& hit) const {
   const Departure& departure = search.departure;
-  if (hit.shape != departure.shape) return false;
   const Ray& ray = search.ray;
+  if (search.left.plane != LeftPlane::none) {
+    const auto* place = flush.find(hit.shape, hit.face);
+    if (place && flush.is_behind(search.left, *place, ray, hit.distance)) return true;
+  }
+  if (hit.shape != departure.shape) return false;
   const auto* quad = std::get_if<Quad>(&shapes[hit.shape]);
   const Vec3d normal = quad
                            ? quad->normal()
@@ -146,8 +160,27 @@ void Accelerator::Implementation::try_mesh(Search& search, const MeshTree& mesh,
   });
 }
 
+SurfaceHit Accelerator::Implementation::uppermost(const SurfaceHit& hit, const Ray& ray) const {
+  const auto* place = flush.find(hit.shape, hit.face);
+  if (!place) return hit;
+  const FlushFaces::Plane& plane = flush.plane(place->plane);
+  const Ray across{ray.at(hit.distance), plane.normal};
+  const double reach =
+      4.0 * plane.thickness + 4e-15 * (length(ray.origin) + std::fabs(hit.distance));
+  for (const FaceId& over : flush.over(*place)) {
+    if (over.object >= shapes.size()) continue;
+    const auto* mesh = std::get_if<Mesh>(&shapes[over.object]);
+    const auto at = mesh ? mesh->cross_triangle(over.face, across) : std::nullopt;
+    const bool there = mesh ? at && std::fabs(*at) <= reach
+                            : intersect(over.object, across, -reach, reach).has_value();
+    if (there) return {over.object, over.face, hit.distance};
+  }
+  return hit;
+}
+
 std::optional<SurfaceHit> Accelerator::Implementation::run(Search search) const {
   if (!is_finite(search.ray.origin) || !is_finite(search.ray.direction)) return std::nullopt;
+  if (search.departure.shape != no_object) search.left = flush.left_by(search.departure);
   const Slab slab(search.ray);
   const auto may_meet = [&](std::uint32_t shape) {
     const auto [first, last] = slab.clip(boxes[shape], search.low, search.high);
@@ -168,21 +201,23 @@ std::optional<SurfaceHit> Accelerator::Implementation::run(Search search) const 
     const double low = mesh.grid.free_until(search.ray, first, last, 0.0);
     if (low <= last) try_mesh(search, mesh, low);
   }
+  if (search.best && flush.any_shapes()) return uppermost(*search.best, search.ray);
   return search.best;
 }
 
-Accelerator::Accelerator(std::vector<Shape> shapes)
-    : implementation_(std::make_unique<Implementation>(std::move(shapes))) {}
+Accelerator::Accelerator(std::vector<Shape> shapes, std::span<const Opening> openings)
+    : implementation_(std::make_unique<Implementation>(std::move(shapes), openings)) {}
 Accelerator::~Accelerator() = default;
 Accelerator::Accelerator(Accelerator&&) noexcept = default;
 Accelerator& Accelerator::operator=(Accelerator&&) noexcept = default;
 
 const std::vector<Shape>& Accelerator::shapes() const { return implementation_->shapes; }
 const Box& Accelerator::bounds() const { return implementation_->bounds; }
+const FlushFaces& Accelerator::flush() const { return implementation_->flush; }
 
 std::optional<SurfaceHit> Accelerator::nearest(const Ray& ray, double low, double high,
                                                const Departure& departure) const {
-  return implementation_->run({ray, low, high, departure, std::nullopt});
+  return implementation_->run({ray, low, high, departure, std::nullopt, {}});
 }
 
 bool Accelerator::blocked(const Ray& ray, double low, double high,
@@ -238,7 +273,7 @@ std::optional<Contact> Accelerator::contact_near(std::uint32_t shape, std::uint3
     const MeshTree* tree = all.mesh_of(shape);
     const Departure none;
     const auto search = [&](const Ray& way, double limit) -> std::optional<Contact> {
-      Search query{way, 0.0, limit, none, std::nullopt};
+      Search query{way, 0.0, limit, none, std::nullopt, {}};
       all.try_mesh(query, *tree, 0.0);
       if (!query.best) return std::nullopt;
       return Contact{query.best->distance, query.best->face};
@@ -252,6 +287,10 @@ std::optional<Contact> Accelerator::contact_near(std::uint32_t shape, std::uint3
   if (behind && (!ahead || behind->distance < ahead->distance))
     return Contact{-behind->distance, behind->face};
   return ahead;
+}
+
+SurfaceHit Accelerator::uppermost(const SurfaceHit& hit, const Ray& ray) const {
+  return implementation_->uppermost(hit, ray);
 }
 
 SurfacePoint Accelerator::surface_at(std::uint32_t shape, std::uint32_t face, Vec3d x) const {

@@ -8,12 +8,11 @@
 #include <span>
 #include <vector>
 
+#include "geometry/flush.h"
 #include "geometry/ray.h"
 #include "geometry/shape.h"
 
 namespace portalens {
-
-inline constexpr std::uint32_t no_object = 0xffffffffu;
 
 /// Where a ray met a surface: which shape of the accelerator's list, and where on it.
 struct SurfaceHit {
@@ -22,33 +21,26 @@ struct SurfaceHit {
   double distance = 0.0;
 };
 
-/// The surface that a path starts on. Within `reach` of its start the path can't meet that face
-/// again in the direction in which it left (rounding would let it); in the opposite direction it
-/// can.
-struct Departure {
-  std::uint32_t shape = no_object;
-  std::uint32_t face = 0;
-  double side = 0.0;   ///< sign of (direction · geometric normal) when it left
-  double reach = 0.0;  ///< length of path, from the start of the ray, within which this holds
-};
-
 /// Immutable after construction, safe from any thread. Trees of boxes give the candidates, every
-/// answer is computed in double. At exactly equal distances the lower (shape, face) is the nearest.
-/// A ray that is not finite meets nothing.
+/// answer is computed in double. Of flat faces in one plane `FlushFaces` says which is met; else at
+/// exactly equal distances the later shape is, and of one shape the lower face. A ray that is not
+/// finite meets nothing.
 class Accelerator {
  public:
+  /// @param openings  what else may lie in the plane of a shape's face; no query meets them
   /// @throws WorkError if memory runs out
-  explicit Accelerator(std::vector<Shape> shapes);
+  explicit Accelerator(std::vector<Shape> shapes, std::span<const Opening> openings = {});
   ~Accelerator();
   Accelerator(Accelerator&&) noexcept;
   Accelerator& operator=(Accelerator&&) noexcept;
 
   [[nodiscard]] const std::vector<Shape>& shapes() const;
   [[nodiscard]] const Box& bounds() const;
+  [[nodiscard]] const FlushFaces& flush() const;
 
   /// The nearest contact at low <= distance <= high. The departure holds for any face of its shape
   /// and beyond its reach where the ray started no more than rounding away from that face: a path
-  /// may start on an edge, or graze.
+  /// may start on an edge, or graze; and for all faces in its plane.
   [[nodiscard]] std::optional<SurfaceHit> nearest(const Ray& ray, double low, double high,
                                                   const Departure& departure = {}) const;
   /// Whether anything lies at low <= distance <= high.
@@ -65,6 +57,9 @@ class Accelerator {
   /// before the other triangles.
   [[nodiscard]] std::optional<Contact> contact_near(std::uint32_t shape, std::uint32_t face,
                                                     const Ray& ray, double reach) const;
+  /// The hit, or what is met in its place: a surface whose face lies in one plane with it.
+  /// @param ray  meets it at its distance
+  [[nodiscard]] SurfaceHit uppermost(const SurfaceHit& hit, const Ray& ray) const;
   [[nodiscard]] SurfacePoint surface_at(std::uint32_t shape, std::uint32_t face, Vec3d x) const;
 
  private:

@@ -12,11 +12,11 @@
 namespace portalens {
 
 struct CouplingInput {
-  std::span<const Portal> portals;
-  std::span<const Mass> masses;  ///< massive portals among them
-  double min_force = 0.01;       ///< f, length/time²
-  int depth = 1;                 ///< portals in a row, >= 0; 0 = none
-  int graviton_resolution = 32;  ///< nodes along a portal's longer side, >= 2
+  std::span<const Portal> portals;  ///< all one-sided
+  std::span<const Mass> masses;     ///< massive portals among them
+  double min_force = 0.01;          ///< f, length/time²
+  int depth = 1;                    ///< portals in a row, >= 0; 0 = none
+  int graviton_resolution = 32;     ///< nodes along a portal's longer side, >= 2
   double unfelt = 0.0;  ///< c² times a turning that does not matter, (length/time)²; 0: all do
 };
 

@@ -88,7 +88,7 @@ class Tracer {
   /// What happens where the way meets something, at the place where it is; whether it ends there.
   bool encounter(const Encounter& met) {
     Arrival& arrival = travel_.arrival;
-    if (met.kind != Encounter::Kind::portal_front) {
+    if (met.kind == Encounter::Kind::surface || met.kind == Encounter::Kind::portal_back) {
       arrival.met = met.kind == Encounter::Kind::surface ? Met::surface : Met::portal_back;
       arrival.object = met.object;
       arrival.face = met.face;
@@ -97,11 +97,11 @@ class Tracer {
     if (arrival.crossings >= space_.max_crossings) return end(Fate::lost);
     ++arrival.crossings;
     const Portal& portal = space_.portals.portals()[met.object];
-    const Portal& other = space_.portals.portals()[portal.pair];
     arrival.tint = arrival.tint * portal.tint;
     travel_.state = {portal.through.move(travel_.state.position),
                      portal.through.rotate(travel_.state.direction)};
-    travel_.start = {Departure{}, other.height_tolerance(), met.object, 1e-6 * other.longest_edge};
+    travel_.start = {
+        space_.leaving_portal(portal.pair, travel_.state.position, travel_.state.direction)};
     free_length_ = 0.0;
     longest_ = unbounded;
     restless_ = true;

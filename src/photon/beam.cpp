@@ -120,7 +120,12 @@ void BeamGuard::add(const Shape* shape, Vec3d center, double radius, Met kind,
   const double lost = length(center - Vec3d{near.x, near.y, near.z});
   const auto near_radius = static_cast<float>((radius + lost) * (1.0 + 1e-5));
   const Reached near_center{near.x, near.y, near.z, 0.0f};
-  obstacles_.push_back({shape, center, radius, near_center, near_radius, kind, index});
+  const bool flat = shape && std::holds_alternative<Quad>(*shape);
+  const FlushFaces& flush = space_->surfaces.flush();
+  const auto shape_count = static_cast<std::uint32_t>(space_->surfaces.shapes().size());
+  const std::uint32_t number = kind == Met::portal_back ? shape_count + index : index;
+  const auto* place = flat && flush.any_shapes() ? flush.find(number, 0) : nullptr;
+  obstacles_.push_back({shape, center, radius, near_center, near_radius, kind, index, place});
 }
 
 /// The light between four trails, piece by piece.
@@ -234,6 +239,31 @@ bool BeamGuard::met(const Obstacle& obstacle, const Piece& piece, const Piece& f
           portals[trail.portal_after(piece.stretch - 1)].pair == obstacle.index);
 }
 
+bool BeamGuard::hidden(const Obstacle& obstacle, const Piece& piece, const Trail& trail,
+                       const Arrival& end) const {
+  if (!obstacle.place) return false;
+  const FlushFaces& flush = space_->surfaces.flush();
+  const auto shape_count = static_cast<std::uint32_t>(space_->surfaces.shapes().size());
+  const std::uint32_t plane = obstacle.place->plane;
+  if (piece.leaves && piece.stretch > 0) {
+    const std::uint32_t entered = trail.portal_after(piece.stretch - 1);
+    if (space_->portals.plane_of(space_->portals.portals()[entered].pair).plane == plane)
+      return true;
+  }
+  if (!piece.arrives) return false;
+  FaceId met{no_object, 0};
+  if (piece.stretch < trail.crossings())
+    met = {shape_count + trail.portal_after(piece.stretch), 0};
+  else if (end.met == Met::surface)
+    met = {end.object, end.face};
+  else if (end.met == Met::portal_back)
+    met = {shape_count + end.object, 0};
+  const auto* place = flush.find(met.object, met.face);
+  if (!place || place->plane != plane) return false;
+  const auto over = flush.over(*place);
+  return std::find(over.begin(), over.end(), obstacle.place->face) == over.end();
+}
+
 /// Whether the obstacle can't be touched, as their balls tell.
 bool BeamGuard::apart(const Piece& piece, const Obstacle& obstacle) {
   const Reached between = (piece.from + piece.to) * 0.5f - obstacle.near_center;
@@ -307,7 +337,7 @@ bool BeamGuard::clear(const std::array<const Trail*, 4>& trails, const Arrival& 
   for (const Obstacle& obstacle : obstacles_)
     for (const Piece& piece : pieces)
       if (!apart(piece, obstacle) && !met(obstacle, piece, pieces.back(), *trails[0], end) &&
-          touches(piece, obstacle))
+          !hidden(obstacle, piece, *trails[0], end) && touches(piece, obstacle))
         return false;
   return true;
 }

@@ -50,6 +50,8 @@ class BeamGuard {
     float near_radius;
     Met kind;             ///< `portal_back` for either side of a portal
     std::uint32_t index;  ///< of the shape, the portal, or the mass
+    /// Of a quad or a portal in whose plane something else lies, else null.
+    const FlushFaces::Place* place;
   };
   /// A piece of the beam: everything within `from_radius` at its start, growing evenly to
   /// `to_radius` at its end. Without values: many of them lie side by side.
@@ -75,6 +77,10 @@ class BeamGuard {
   /// @param final  the last piece of the beam
   [[nodiscard]] bool met(const Obstacle& obstacle, const Piece& piece, const Piece& final,
                          const Trail& trail, const Arrival& end) const;
+  /// Whether it is flat and lies under what the way has met there, in one plane with it, or in the
+  /// plane that the way has just left.
+  [[nodiscard]] bool hidden(const Obstacle& obstacle, const Piece& piece, const Trail& trail,
+                            const Arrival& end) const;
   [[nodiscard]] static bool apart(const Piece& piece, const Obstacle& obstacle);
   [[nodiscard]] static bool touches(const Piece& piece, const Obstacle& obstacle);
   [[nodiscard]] bool along_border(std::span<const Piece> beam) const;

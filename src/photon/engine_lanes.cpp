@@ -29,6 +29,8 @@ class LaneDriver {
         integrator_(Radau::from({space.physics.step, space.physics.tolerance})),
         scalar_(space, integrator_, coupling),
         vicinity_(space.mass_tree),
+        obstacles_(space.surfaces, space.portals),
+        has_flush_(space.surfaces.flush().any_shapes()),
         photons_(photons),
         arrivals_(arrivals),
         trails_(trails),
@@ -82,14 +84,24 @@ class LaneDriver {
       end(lane);
       return;
     }
-    arrival.fate = Fate::escaped;
     if (event == LaneEvent::hit) {
-      arrival.fate = Fate::hit;
-      arrival.met = Met::surface;
-      arrival.object = object;
       const double rest = distance_to_surface(object, {state.position, state.direction}, length);
       arrival.position += state.direction * rest;
       arrival.length = length + rest;
+      Encounter seen{0.0, Encounter::Kind::surface, object, 0};
+      if (has_flush_) {
+        seen = seen_at(object, state);
+        if (seen.kind != Encounter::Kind::surface) {
+          consult(lane, LaneEvent::portal, seen.object, state, begun);
+          return;
+        }
+      }
+      arrival.fate = Fate::hit;
+      arrival.met = Met::surface;
+      arrival.object = seen.object;
+      arrival.face = seen.face;
+    } else {
+      arrival.fate = Fate::escaped;
     }
     end(lane);
   }
@@ -99,6 +111,7 @@ class LaneDriver {
                                  const State& state, double begun) {
     Arrival& arrival = arrivals_[photon_[lane]];
     const bool whole = (whole_ >> lane & 1) != 0;
+    if (event == LaneEvent::portal) object = portal_at(object, state);
     const PathStart start = whole ? PathStart{photons_[photon_[lane]].departure} : starts_[lane];
     const Travel way{state, start.after(arrival.length - begun), arrival};
     if (is_told(lane) && event == LaneEvent::horizon && LanePlan::is_lone(object))
@@ -185,6 +198,12 @@ class LaneDriver {
     return std::fabs(distance) <= reach ? distance : 0.0;
   }
 
+  /// What is met where the way comes to that surface: it, or what lies in its plane.
+  [[nodiscard, gnu::noinline]] Encounter seen_at(std::uint32_t object, const State& state) const {
+    const Ray ray{state.position, state.direction};
+    return obstacles_.uppermost(space_.surfaces.uppermost({object, 0, 0.0}, ray), ray);
+  }
+
   [[nodiscard]] bool meet_portal(const Travel& way, std::uint32_t index) {
     const Portal& portal = space_.portals.portals()[index];
     Travel there = way;
@@ -194,9 +213,17 @@ class LaneDriver {
     if (std::fabs(slope) > 1e-6)
       there.state.position = way.state.position - way.state.direction * (height / slope);
     scalar_.resume(there);
-    return scalar_.encounter(
-        {0.0, slope < 0.0 ? Encounter::Kind::portal_front : Encounter::Kind::portal_back, index,
-         0});
+    return scalar_.encounter(obstacles_.at_portal(index, side_met(portal, way.state), 0.0));
+  }
+
+  [[nodiscard]] static PortalSide side_met(const Portal& portal, const State& state) {
+    return dot(state.direction, portal.frame.normal) < 0.0 ? PortalSide::front : PortalSide::back;
+  }
+
+  /// The portal that is met where the way comes to that one: it, or another in its plane.
+  [[nodiscard]] std::uint32_t portal_at(std::uint32_t index, const State& state) const {
+    const PortalSide side = side_met(space_.portals.portals()[index], state);
+    return space_.portals.uppermost({index, side, 0.0}, {state.position, state.direction}).portal;
   }
 
   /// Where the lane's photon was put.
@@ -223,9 +250,16 @@ class LaneDriver {
     lanes_.tx[lane] = static_cast<float>(state.direction.x);
     lanes_.ty[lane] = static_cast<float>(state.direction.y);
     lanes_.tz[lane] = static_cast<float>(state.direction.z);
-    lanes_.departed[lane] =
-        departure.shape == no_object ? -1.0f : static_cast<float>(departure.shape);
+    lanes_.departed[lane] = -1.0f;
     lanes_.departed_side[lane] = static_cast<float>(departure.side);
+    if (departure.shape != no_object) {
+      lanes_.departed[lane] = static_cast<float>(departure.shape);
+      const LeftPlane left = space_.surfaces.flush().left_by(departure);
+      if (left.plane != LeftPlane::none) {
+        lanes_.departed[lane] = LanePlan::departed_from(left.plane);
+        lanes_.departed_side[lane] = static_cast<float>(left.side);
+      }
+    }
     lanes_.clear[lane] = static_cast<float>(clear);
     lanes_.longest[lane] = never;
     lanes_.live[lane] = 1.0f;
@@ -237,10 +271,6 @@ class LaneDriver {
     states_[lane] = way.state;
     starts_[lane] = way.start;
     put(lane, way.state, way.start.departure, clear);
-    if (way.start.entered != no_portal) {
-      const std::uint32_t left = space_.portals.portals()[way.start.entered].pair;
-      lanes_.departed[lane] = static_cast<float>(first_departed_portal - static_cast<int>(left));
-    }
     lanes_.length[lane] = static_cast<float>(way.arrival.length);
     lanes_.turning[lane] = static_cast<float>(way.arrival.turning);
     lanes_.steps[lane] = static_cast<float>(way.arrival.steps);
@@ -297,6 +327,8 @@ class LaneDriver {
   Radau integrator_;
   Tracer<Radau, C> scalar_;
   Vicinity vicinity_;  ///< of where photons begin
+  Obstacles obstacles_;
+  bool has_flush_;  ///< some surface lies in the plane of something else
   std::span<const Photon> photons_;
   std::span<Arrival> arrivals_;
   std::span<Trail> trails_;  ///< of the first photons

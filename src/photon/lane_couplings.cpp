@@ -48,7 +48,7 @@ class GatePlanner {
  private:
   /// False if there is not room enough.
   [[nodiscard]] bool add(int depth, int parent, std::uint32_t left_out, const Portal* entered) {
-    const auto portals = space_.portals.portals();
+    const std::vector<Portal>& portals = space_.mouths;
     if (depth <= 0) return true;
     for (std::uint32_t a = 0; a < portals.size(); ++a) {
       const double reach = coupling_.reach(a, depth);
@@ -56,7 +56,10 @@ class GatePlanner {
       if (scene_.gate_count == most_lane_gates || masses_.size() > most_lane_masses) return false;
       const int index = scene_.gate_count++;
       fill(scene_.gates[index], portals[a], reach, parent, entered);
-      if (scene_.outline_count > 0) scene_.gates[index].outline = &scene_.outlines[a];
+      if (scene_.outline_count > 0) {
+        if (a >= static_cast<std::uint32_t>(scene_.outline_count)) return false;
+        scene_.gates[index].outline = &scene_.outlines[a];
+      }
       if (!add(depth - 1, index, portals[a].pair, &portals[a])) return false;
     }
     return true;
@@ -65,7 +68,7 @@ class GatePlanner {
   void fill(LaneGate& gate, const Portal& portal, double reach, int parent,
             const Portal* entered) const {
     const Frame& frame = portal.frame;
-    const Frame& beyond = space_.portals.portals()[portal.pair].frame;
+    const Frame& beyond = space_.mouths[portal.pair].frame;
     const Rectangle rectangle = rectangle_of(portal);
     gate = {};
     gate.parent = parent;
@@ -74,7 +77,7 @@ class GatePlanner {
     gate.up = narrow(frame.up);
     gate.normal = narrow(frame.normal);
     if (entered) {
-      const Frame& out = space_.portals.portals()[entered->pair].frame;
+      const Frame& out = space_.mouths[entered->pair].frame;
       gate.offset = narrow(frame.to_local(out.origin));
       gate.by_x = narrow(frame.direction_to_local(-out.right));
       gate.by_y = narrow(frame.direction_to_local(out.up));
@@ -99,13 +102,13 @@ class GatePlanner {
       gate.fades[i] = ends_on(portal, frame.to_world(image), mass.influence);
       scene_.fading = scene_.fading || gate.fades[i];
       const double m = gravitational_radius(mass.gm, space_.physics.c);
-      const bool binds_light = felt_from(space_.portals.portals()[portal.pair], mass) < m;
+      const bool binds_light = felt_from(space_.mouths[portal.pair], mass) < m;
       gate.bare2[i] = binds_light ? static_cast<float>(too_near * too_near * m * m) : 0.0f;
       scene_.bare_through = scene_.bare_through || binds_light;
     }
     gate.falls_short = false;
     if (entered)
-      for (const Vec3d& from : space_.portals.portals()[entered->pair].vertices)
+      for (const Vec3d& from : space_.mouths[entered->pair].vertices)
         gate.falls_short = gate.falls_short || !(farthest(portal, from) < 0.9999 * reach);
     scene_.fading = scene_.fading || gate.falls_short;
   }
@@ -175,7 +178,7 @@ void add_nodes(const GravitonGrid& grid, double inverse_c2, LanePlan& plan) {
 
 [[nodiscard]] std::string add_maps(const Space& space, const GravitonMapCoupling& coupling,
                                    LanePlan& plan) {
-  const auto portals = space.portals.portals();
+  const std::vector<Portal>& portals = space.mouths;
   const double inverse_c2 = 1.0 / (space.physics.c * space.physics.c);
   const auto bound = bound_light(GravitonMapCoupling::name, portals, space.masses, space.physics.c);
   if (!bound.empty())
@@ -187,6 +190,9 @@ void add_nodes(const GravitonGrid& grid, double inverse_c2, LanePlan& plan) {
   for (std::uint32_t a = 0; a < portals.size(); ++a) {
     const double reach = coupling.exact().reach(a);
     if (!(reach > 0.0)) continue;
+    if (plan.scene.map_count == most_lane_portals)
+      return fmt::format("more than {} sides of portals act (lanes take {})", most_lane_portals,
+                         most_lane_portals);
     const LaneFace face = face_of(portals[a], plan.center, reach);
     plan.scene.maps[plan.scene.map_count++] = map_of(coupling.grid(a), face);
     first.push_back(plan.map_cells.size() / 2);
@@ -202,7 +208,7 @@ void add_nodes(const GravitonGrid& grid, double inverse_c2, LanePlan& plan) {
 
 /// Says which portal is no rectangle; empty where all are.
 [[nodiscard]] std::string odd_portal(const Space& space) {
-  for (const Portal& portal : space.portals.portals())
+  for (const Portal& portal : space.mouths)
     if (!(rectangle_of(portal).half_width > 0.0))
       return fmt::format(
           "portal {} is no rectangle, as lanes want it for {} (with closest-point "
@@ -216,7 +222,7 @@ float bare2_of_way(const Space& space, const ShortestPathCoupling::Image& image,
                    const Portal& portal, LaneScene& scene) {
   const Mass& mass = space.masses[image.mass];
   const double m = gravitational_radius(image.gm, space.physics.c);
-  if (!(felt_from(space.portals.portals()[portal.pair], mass) < m)) return 0.0f;
+  if (!(felt_from(space.mouths[portal.pair], mass) < m)) return 0.0f;
   scene.bare_through = true;
   return static_cast<float>(too_near * too_near * m * m);
 }
@@ -234,8 +240,11 @@ float bare2_of_way(const Space& space, const ShortestPathCoupling::Image& image,
     if (chain.size() > 1)
       return "shortest-path goes through portals in a row (lanes take "
              "physics.portal_gravity_depth = 1)";
-    const Portal& portal = space.portals.portals()[chain.front()];
+    const Portal& portal = space.mouths[chain.front()];
     // Images come portal by portal.
+    if (chain.front() != entered && scene.entrance_count == most_lane_portals)
+      return fmt::format("more than {} sides of portals act (lanes take {})", most_lane_portals,
+                         most_lane_portals);
     if (chain.front() != entered)
       scene.entrances[scene.entrance_count++] = {face_of(portal, plan.center, 0.0), scene.way_count,
                                                  scene.way_count};

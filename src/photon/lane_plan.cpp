@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -102,7 +103,8 @@ void add_portals(const Space& space, Vec3d center, LaneScene& scene) {
   const auto portals = space.portals.portals();
   const auto is_rectangle = [](const Portal& p) { return rectangle_of(p).half_width > 0.0; };
   const bool plain = std::all_of(portals.begin(), portals.end(), is_rectangle);
-  for (const Portal& portal : portals) {
+  for (std::uint32_t i = 0; i < portals.size(); ++i) {
+    const Portal& portal = portals[i];
     LanePortal& lane = scene.portals[scene.portal_count++];
     const Rectangle extent = extent_of(portal);
     const LaneOutline* outline = nullptr;
@@ -119,7 +121,9 @@ void add_portals(const Space& space, Vec3d center, LaneScene& scene) {
             static_cast<float>(extent.half_height),
             outline,
             static_cast<float>(portal.height_tolerance()),
-            portal.back_material ? 1.0f : 0.0f};
+            portal.has_back() ? 1.0f : 0.0f,
+            LanePlan::departed_from(space.portals.plane_of(i).plane),
+            static_cast<float>(space.portals.plane_of(i).side)};
   }
 }
 
@@ -139,13 +143,16 @@ void add_box(const Box& box, Vec3d center, LaneScene& scene) {
                std::max(last.high.z, high.z)};
 }
 
-void add_polygon(const Quad& quad, int shape, Vec3d center, LaneScene& scene) {
+void add_polygon(const Space& space, const Quad& quad, int shape, Vec3d center, LaneScene& scene) {
   LanePolygon& lane = scene.polygons[scene.polygon_count++];
   const auto vertices = quad.vertices();
   const Vec3d normal = quad.normal();
   lane.normal = narrow(normal);
   lane.distance = static_cast<float>(dot(vertices[0] - center, normal));
   lane.shape = shape;
+  const auto* place = space.surfaces.flush().find(static_cast<std::uint32_t>(shape), 0);
+  lane.leaves = place ? LanePlan::departed_from(place->plane) : static_cast<float>(shape);
+  lane.facing = place ? static_cast<float>(place->side) : 1.0f;
   const Vec3d middle = quad.bounds().middle();
   double radius = 0.0;
   for (const Vec3d& vertex : vertices) radius = std::max(radius, length(vertex - middle));
@@ -170,7 +177,7 @@ void add_surfaces(const Space& space, LanePlan& plan) {
     const auto* quad = std::get_if<Quad>(&shapes[i]);
     const auto* sphere = std::get_if<Sphere>(&shapes[i]);
     if (quad && scene.polygon_count < most_lane_polygons) {
-      add_polygon(*quad, static_cast<int>(i), center, scene);
+      add_polygon(space, *quad, static_cast<int>(i), center, scene);
     } else if (sphere && scene.sphere_count < most_lane_spheres) {
       scene.spheres[scene.sphere_count++] = {narrow(sphere->center() - center),
                                              static_cast<float>(sphere->radius()),
@@ -181,6 +188,59 @@ void add_surfaces(const Space& space, LanePlan& plan) {
               scene);
     }
   }
+}
+
+Vec3d lowest(Vec3d a, Vec3d b) {
+  return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
+}
+Vec3d highest(Vec3d a, Vec3d b) { return -lowest(-a, -b); }
+
+/// A polygon that lanes look at.
+struct Thin {
+  std::span<const Vec3d> vertices;
+  Vec3d normal;
+  std::uint32_t plane;  ///< as `FlushFaces` tells them, or `LeftPlane::none`
+  Box box;
+
+  /// Whether all of it lies that close to the plane of another.
+  [[nodiscard]] bool hugs(const Thin& other, double distance) const {
+    return std::all_of(vertices.begin(), vertices.end(), [&](const Vec3d& vertex) {
+      return std::fabs(dot(vertex - other.vertices[0], other.normal)) <= distance;
+    });
+  }
+};
+
+/// Where faces lie one behind the other, closer than floats can tell, the scalar engine looks.
+void add_narrow_gaps(const Space& space, Vec3d center, LaneScene& scene) {
+  std::vector<Thin> thin;
+  for (int p = 0; p < scene.polygon_count; ++p) {
+    const auto shape = static_cast<std::uint32_t>(scene.polygons[p].shape);
+    const Quad& quad = std::get<Quad>(space.surfaces.shapes()[shape]);
+    const auto* place = space.surfaces.flush().find(shape, 0);
+    thin.push_back(
+        {quad.vertices(), quad.normal(), place ? place->plane : LeftPlane::none, quad.bounds()});
+  }
+  for (std::uint32_t i = 0; i < space.portals.portals().size(); ++i) {
+    const Portal& portal = space.portals.portals()[i];
+    Box box;
+    for (const Vec3d& vertex : portal.vertices) box.add(vertex);
+    thin.push_back({portal.vertices, portal.frame.normal, space.portals.plane_of(i).plane, box});
+  }
+  Box all;
+  for (const Thin& face : thin) all.add(face.box);
+  if (space.viewpoint) all.add(*space.viewpoint);
+  if (all.empty()) return;
+  const double closest = 1e-6 * (length(all.middle() - center) + all.diagonal());
+  for (std::size_t i = 0; i < thin.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const Thin &a = thin[i], &b = thin[j];
+      if (a.plane == b.plane && a.plane != LeftPlane::none) continue;
+      const bool a_is_smaller = a.box.diagonal() < b.box.diagonal();
+      if (!(a_is_smaller ? a.hugs(b, closest) : b.hugs(a, closest))) continue;
+      const Vec3d low = highest(a.box.low, b.box.low), high = lowest(a.box.high, b.box.high);
+      const Box shared = Box{low, high}.grown(closest);
+      if (shared.low == lowest(shared.low, shared.high)) add_box(shared, center, scene);
+    }
 }
 
 /// The middle of what is solid; floats are finest there.
@@ -312,6 +372,7 @@ std::string lay_out(const Space& space, LanePlan& plan) {
     return fmt::format("through portals {} masses act (lanes take {})", scene.crowd.count,
                        most_lane_masses);
   add_surfaces(space, plan);
+  add_narrow_gaps(space, plan.center, scene);
   set_steps(space, looks_through, overshoot, plan);
   return "";
 }

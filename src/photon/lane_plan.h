@@ -37,6 +37,10 @@ struct LanePlan {
     if (is_lone(object)) return lone.masses[object - first_lone_object].mass;
     return stepped[object < first_lone_object ? object : object - first_crowd_object];
   }
+  /// What lanes have `departed` from, if it is a plane that `FlushFaces` tells.
+  [[nodiscard]] static float departed_from(std::uint32_t plane) {
+    return static_cast<float>(first_departed_plane - static_cast<int>(plane));
+  }
   /// Whether that is one which is alone.
   [[nodiscard]] static bool is_lone(std::uint32_t object) {
     return object >= first_lone_object && object < first_crowd_object;

@@ -164,7 +164,7 @@ struct FirstMeeting {
     const R inner = max(radius - R(0.5) * gap, R(0)), outer = radius + R(0.5) * gap;
     const Mask grazes = may & !toggles &
                         ((within & (max(squares.low, squares.high) > inner * inner)) |
-                         (!within & (min(squares.low, squares.high) < outer * outer)));
+                         ((!within) & (min(squares.low, squares.high) < outer * outer)));
     if (!any(toggles | grazes)) return;
     const auto excess = square();
     if (any(grazes)) offer_graze(grazes, within, excess, span);

@@ -153,7 +153,9 @@ struct LanePortal {
   float half_width, half_height;  ///< of what holds it, about its origin
   const LaneOutline* outline;     ///< null if it is a rectangle
   float tolerance;
-  float back;  ///< 1 if its back is a surface, else 0
+  float back;    ///< 1 if light that comes from behind meets it, else 0
+  float leaves;  ///< what `departed` says of lanes that have left its plane,
+  float facing;  ///< and 1 where its normal is that plane's, -1 where it is opposite
 };
 
 /// A convex polygon of 3 or 4 edges: a point of its plane lies inside where all edges say so.
@@ -165,6 +167,7 @@ struct LanePolygon {
   LaneVec edge_normal[4];  ///< in the plane, inwards; a triangle repeats one
   float edge_distance[4];
   int shape;
+  float leaves, facing;  ///< as of a portal
 };
 
 struct LaneSphere {
@@ -209,8 +212,8 @@ struct LaneScene {
 
 inline constexpr int first_lone_object = most_lane_masses;
 inline constexpr int first_crowd_object = first_lone_object + most_lane_lone_masses;
-/// Portals that photons leave count downwards from there.
-inline constexpr int first_departed_portal = -2;
+/// Planes that photons leave and in which portals or several faces lie count downwards from there.
+inline constexpr int first_departed_plane = -2;
 
 /// What a lane's step ended in.
 enum class LaneEvent : std::int32_t {
@@ -232,7 +235,7 @@ struct alignas(64) Lanes {
   float length[lane_count], turning[lane_count], steps[lane_count];
   float longest[lane_count];        ///< of the next step: what the error of the last allows
   float live[lane_count];           ///< 1 or 0
-  float departed[lane_count];       ///< shape that the photon leaves, or -1; or a portal's front
+  float departed[lane_count];       ///< shape that the photon leaves, or -1; or a plane
   float departed_side[lane_count];  ///< on which side it leaves it: 1 or -1
   float clear[lane_count];          ///< nothing that boxes hold is met within that much path
   float event[lane_count];          ///< a LaneEvent

@@ -227,17 +227,19 @@ class LaneStepper {
   }
 
   void find_portals(const LanePath<R>& path, const StateOf<R>& end, LaneFinding<R>& found) const {
+    const R departed = read(lanes_.departed), side = read(lanes_.departed_side);
+    const bool leaves = any(departed <= R(first_departed_plane));
     for (int p = 0; p < scene_.portal_count; ++p) {
       const LanePortal& portal = scene_.portals[p];
       const V normal = spread<R>(portal.normal), origin = spread<R>(portal.origin);
-      const R z0 = dot(path.place.c0 - origin, normal);
+      R z0 = dot(path.place.c0 - origin, normal);
       const R z1 = dot(end.position - origin, normal);
+      // What has just left its plane may lie a float's rounding on the other side of it.
+      if (leaves)
+        z0 = select(departed == R(portal.leaves), side * R(2.0f * portal.facing * portal.tolerance),
+                    z0);
       Mask crosses = (z0 >= R(-portal.tolerance)) & (z1 < R(0)) & (z1 < z0);
-      if (portal.back > 0.0f) {
-        // What has just left its front may lie a float's rounding behind it.
-        const Mask left = read(lanes_.departed) == R(first_departed_portal - p);
-        crosses = crosses | ((z0 < R(0)) & (z1 >= R(0)) & !left);
-      }
+      if (portal.back > 0.0f) crosses = crosses | ((z0 < R(0)) & (z1 >= R(0)));
       if (!any(crosses)) continue;
       const R u =
           crossing(crosses, path.height(z0, normal), max(z0, R(0)) / select(crosses, z0 - z1, R(1)),
@@ -253,14 +255,14 @@ class LaneStepper {
   void find_polygons(const LanePath<R>& path, const StateOf<R>& end, LaneFinding<R>& found,
                      R& doubtful) const {
     const R departed = read(lanes_.departed), side = read(lanes_.departed_side);
-    const bool leaves = any(departed >= R(0));
+    const bool leaves = any((departed > R(-1)) | (departed < R(-1)));
     const R sagitta = span(end.direction * path.h - path.place.c1) * R(0.25);
     for (int p = 0; p < scene_.polygon_count; ++p) {
       const LanePolygon& polygon = scene_.polygons[p];
       const V normal = spread<R>(polygon.normal);
       R z0 = dot(path.place.c0, normal) - R(polygon.distance);
       const R z1 = dot(end.position, normal) - R(polygon.distance);
-      if (leaves) z0 = select(departed == R(polygon.shape), side * R(1e-20), z0);
+      if (leaves) z0 = select(departed == R(polygon.leaves), side * R(1e-20f * polygon.facing), z0);
       const Mask crosses = ((z0 > R(0)) & (z1 <= R(0))) | ((z0 <= R(0)) & (z1 > R(0)));
       const Mask near = min(abs(z0), abs(z1)) < sagitta;
       if (!any(crosses | near)) continue;
@@ -285,7 +287,8 @@ class LaneStepper {
 
   void find_spheres(const LanePath<R>& path, LaneFinding<R>& found) const {
     const R departed = read(lanes_.departed), side = read(lanes_.departed_side);
-    for (int i = 0; i < scene_.sphere_count; ++i) {
+    // Of spheres in one place the last is met.
+    for (int i = scene_.sphere_count; i-- > 0;) {
       const LaneSphere& sphere = scene_.spheres[i];
       const V center = spread<R>(sphere.center);
       // In the lanes that may: what is found must not depend on who travels beside.

@@ -7,20 +7,40 @@ namespace portalens {
 std::optional<Encounter> Obstacles::first(const Ray& ray, double high,
                                           const PathStart& start) const {
   std::optional<Encounter> found;
-  if (const auto portal = portals_.nearest(ray, 0.0, high, start.entered, start.entered_reach)) {
-    found = Encounter{portal->distance,
-                      portal->side == PortalSide::front ? Encounter::Kind::portal_front
-                                                        : Encounter::Kind::portal_back,
-                      portal->portal, 0};
-    // At a tie the portal comes first, though rounding may put the surface it hangs on before it.
-    const double tie = portals_.portals()[portal->portal].height_tolerance();
-    high = portal->distance -
-           tie / std::fmax(1e-6, std::fabs(dot(ray.direction,
-                                               portals_.portals()[portal->portal].frame.normal)));
+  const LeftPlane left = surfaces_.flush().left_by(start.departure);
+  if (const auto portal = portals_.nearest(ray, 0.0, high, left)) {
+    found = at_portal(portal->portal, portal->side, portal->distance);
+    high = portal->distance;
   }
-  if (const auto hit = surfaces_.nearest(ray, start.skip_surfaces, high, start.departure))
-    found = Encounter{hit->distance, Encounter::Kind::surface, hit->shape, hit->face};
-  return found;
+  const auto hit = surfaces_.nearest(ray, 0.0, high, start.departure);
+  // At a tie the portal comes first.
+  if (!hit || (found && found->distance <= hit->distance)) return found;
+  return uppermost(*hit, ray);
+}
+
+Encounter Obstacles::at_portal(std::uint32_t portal, PortalSide side, double distance) const {
+  if (side == PortalSide::front) return {distance, Encounter::Kind::portal_front, portal, 0};
+  const bool leads_on = portals_.portals()[portal].two_sided;
+  return {distance, leads_on ? Encounter::Kind::portal_through_back : Encounter::Kind::portal_back,
+          portal, 0};
+}
+
+Encounter Obstacles::uppermost(const SurfaceHit& hit, const Ray& ray) const {
+  const FlushFaces& flush = surfaces_.flush();
+  const auto shape_count = static_cast<std::uint32_t>(surfaces_.shapes().size());
+  Encounter seen{hit.distance, Encounter::Kind::surface, hit.shape, hit.face};
+  const auto* place = flush.find(hit.shape, hit.face);
+  if (!place) return seen;
+  for (const FaceId& over : flush.over(*place)) {
+    if (over.object < shape_count) break;  // portals come before surfaces
+    const std::uint32_t portal = over.object - shape_count;
+    const auto side = portals_.met_at(portal, ray, ray.at(hit.distance));
+    if (!side) continue;
+    const Encounter met = at_portal(portal, *side, hit.distance);
+    if (met.kind != Encounter::Kind::portal_back) return met;
+    if (seen.kind == Encounter::Kind::surface) seen = met;
+  }
+  return seen;
 }
 
 std::optional<Encounter> Obstacles::first(const Curve& curve, double free, double flatness,
@@ -54,7 +74,14 @@ std::optional<Encounter> Obstacles::in_piece(const Curve& curve, const Piece& pi
       at.distance = piece.s0 + found->distance / chord_length * (piece.s1 - piece.s0);
       return at;
     }
-    if (const auto refined = refine(curve, piece, *found)) return refined;
+    if (const auto refined = refine(curve, piece, *found)) {
+      if (refined->kind != Encounter::Kind::surface) return refined;
+      const double s = refined->distance;
+      Encounter seen =
+          uppermost({refined->object, refined->face, 0.0}, {curve.position(s), curve.direction(s)});
+      seen.distance = s;
+      return seen;
+    }
   }
 
   const double middle = 0.5 * (piece.s0 + piece.s1);

@@ -13,7 +13,8 @@ namespace portalens {
 
 /// What a path meets, and where on the curve.
 struct Encounter {
-  enum class Kind : std::uint8_t { surface, portal_front, portal_back };
+  /// `portal_back` is solid, `portal_through_back` that of a two-sided portal.
+  enum class Kind : std::uint8_t { surface, portal_front, portal_back, portal_through_back };
   double distance = 0.0;  ///< arc length on the curve
   Kind kind = Kind::surface;
   std::uint32_t object = no_object;
@@ -22,19 +23,13 @@ struct Encounter {
 
 /// Where a path began, and what it may not meet at once.
 struct PathStart {
-  Departure departure;                ///< `reach` counted from the start of the curve
-  double skip_surfaces = 0.0;         ///< nearer surfaces are part of the portal just left
-  std::uint32_t entered = no_portal;  ///< the portal just entered: not met again within
-  double entered_reach = 0.0;         ///< this length of path
+  Departure departure;  ///< `reach` counted from the start of the curve
 
   /// The same for the rest of the path, after `length` of it.
   [[nodiscard]] PathStart after(double length) const {
     PathStart rest = *this;
     rest.departure.reach -= length;
     if (rest.departure.reach <= 0.0) rest.departure = Departure{};
-    rest.skip_surfaces = std::fmax(0.0, skip_surfaces - length);
-    rest.entered_reach -= length;
-    if (rest.entered_reach <= 0.0) rest.entered = no_portal;
     return rest;
   }
 };
@@ -55,6 +50,14 @@ class Obstacles {
   /// The first encounter on a straight way; `high` may be infinite.
   [[nodiscard]] std::optional<Encounter> first(const Ray& ray, double high,
                                                const PathStart& start) const;
+
+  /// What is met in the place of a surface: a portal in whose plane its face lies, where there is
+  /// one, or the surface.
+  /// @param ray  at `distance` it meets the surface
+  [[nodiscard]] Encounter uppermost(const SurfaceHit& hit, const Ray& ray) const;
+
+  /// What meeting that portal from that side is.
+  [[nodiscard]] Encounter at_portal(std::uint32_t portal, PortalSide side, double distance) const;
 
   /// A lower bound of the distance to anything, at most `limit`.
   [[nodiscard]] double clearance(Vec3d x, double limit) const {

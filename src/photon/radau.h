@@ -114,22 +114,23 @@ struct Bends {
 /// A step of x'' = a(x) - (a·x') x' through four places. Where they are follows from the values
 /// before them; the direction at each is then found again from all four, which needs no further
 /// evaluation of the field. On a nearly straight way that leaves the error of the quadrature, of
-/// seventh order; what a way's own bend feeds back into it is of fourth. No step is ever rejected
-/// for its error: the length
+/// seventh order; what a way's own bend feeds back into it is of fourth. The length
 ///     h = (Σ w m d⁻⁵ / η⁴ + Σ v d⁻⁴ / λ⁴)^(-1/4)
-/// at distances d from masses spreads it evenly over the path. η⁴ is a multiple of the tolerance:
-/// the first sum keeps what is fed back below it. The second keeps a step shorter than λ times the
-/// distance, since how well a quadrature follows the field depends on h/d alone; so λ goes as the
-/// seventh root of the tolerance. Near capture a path magnifies every error made on the way: hence
-/// the weight w, `path_weight`. What is left behind soon weighs little: hence v, `approach_weight`.
+/// at distances d from masses is proposed, for it spreads the error evenly over the path;
+/// `roughness` then judges the step, and one that errs by too much is taken again, shorter. η⁴ is a
+/// multiple of the tolerance: the first sum keeps what is fed back below it. The second keeps a
+/// step shorter than λ times the distance, since how well a quadrature follows the field depends on
+/// h/d alone; so λ goes as the seventh root of the tolerance. Near capture a path magnifies every
+/// error made on the way: hence the weight w, `path_weight`. What is left behind soon weighs
+/// little: hence v, `approach_weight`.
 struct Radau {
   static constexpr std::string_view name = "adaptive";
   static constexpr bool fixed_step = false;
   static constexpr bool straight_pieces = false;
   double stiffness_weight;  ///< 1/η⁴
   double nearness_weight;   ///< 1/λ⁴
-  double third_weight;      ///< 1/κ
-  double feedback_weight;
+  double third_weight;      ///< 1/κ: of `StepDoubt::uneven`
+  double feedback_weight;   ///< of what is fed back, radians
 
   static Radau from(const IntegratorSettings& settings) {
     const double tightness = std::fmin(settings.tolerance / 1e-4, 1.0);
@@ -195,6 +196,7 @@ struct Radau {
     const Real share = Real(0.9) * inverse_fourth_root(max(roughness, Real(1e-4)));
     return select(roughness > Real(smooth), h * max(share, Real(0.2)), unbounded);
   }
+  /// Less rough steps tell nothing of the next.
   static constexpr double smooth = 0.3;
   /// Rougher steps are taken again, shorter.
   static constexpr double roughest = 1.3;
@@ -265,6 +267,8 @@ struct Radau {
   static constexpr double longest_share = 0.65;
   /// κ at a tolerance of 1e-4.
   static constexpr double third_share = 0.5;
+  /// What is fed back at a roughness of 1 is twice the tolerance, were it all error; and which
+  /// share of a direction's is. Measured on random scenes (docs/differential.md).
   static constexpr double feedback_share = 0.5;
   static constexpr double direction_share = 0.2;
 };

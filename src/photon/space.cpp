@@ -7,21 +7,32 @@
 #include "photon/lane_plan.h"
 
 namespace portalens {
+namespace {
+
+std::vector<Opening> openings_of(const std::vector<Portal>& portals) {
+  std::vector<Opening> openings;
+  for (const Portal& portal : portals) openings.push_back({portal.vertices, portal.frame.normal});
+  return openings;
+}
+
+}  // namespace
 
 Space::Space(Physics the_physics, std::uint32_t crossings, std::vector<Shape> shapes,
              std::vector<Portal> the_portals, std::vector<Mass> the_masses,
              std::optional<Vec3d> the_viewpoint)
     : physics(std::move(the_physics)),
       max_crossings(crossings),
-      surfaces(std::move(shapes)),
-      portals(std::move(the_portals)),
+      surfaces(std::move(shapes), openings_of(the_portals)),
+      portals(std::move(the_portals), surfaces.flush(),
+              static_cast<std::uint32_t>(surfaces.shapes().size())),
+      mouths(one_sided(portals.portals())),
       masses(std::move(the_masses)),
       mass_tree(masses),
-      coupling(
-          make_coupling(physics.portal_gravity, {portals.portals(), masses, physics.min_force,
-                                                 static_cast<int>(physics.portal_gravity_depth),
-                                                 static_cast<int>(physics.graviton_resolution),
-                                                 physics.tolerance * physics.c * physics.c})),
+      coupling(make_coupling(
+          physics.portal_gravity,
+          {mouths, masses, physics.min_force, static_cast<int>(physics.portal_gravity_depth),
+           static_cast<int>(physics.graviton_resolution),
+           physics.tolerance * physics.c * physics.c})),
       viewpoint(the_viewpoint) {
   Box box = surfaces.bounds();
   for (const Portal& portal : portals.portals())
@@ -36,6 +47,14 @@ Space::Space(Physics the_physics, std::uint32_t crossings, std::vector<Shape> sh
   LaneChoice choice = plan_lanes(*this);
   lanes = std::move(choice.plan);
   no_lanes_because = std::move(choice.refusal);
+}
+
+Departure Space::leaving_portal(std::uint32_t index, Vec3d position, Vec3d direction) const {
+  const Portal& portal = portals.portals()[index];
+  const double slope = dot(direction, portal.frame.normal);
+  const auto shape_count = static_cast<std::uint32_t>(surfaces.shapes().size());
+  return {shape_count + index, 0, slope < 0.0 ? -1.0 : 1.0,
+          departure_reach(length(position) + portal.longest_edge, slope)};
 }
 
 Space::Space(Space&&) noexcept = default;

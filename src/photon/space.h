@@ -27,10 +27,15 @@ struct Space {
   Space(Space&&) noexcept;
   ~Space();
 
+  /// How a path leaves the plane of a portal, over its front or its back as `direction` says.
+  [[nodiscard]] Departure leaving_portal(std::uint32_t portal, Vec3d position,
+                                         Vec3d direction) const;
+
   Physics physics;
   std::uint32_t max_crossings;
   Accelerator surfaces;
   PortalSet portals;
+  std::vector<Portal> mouths;  ///< the portals as gravity counts them (`one_sided`)
   std::vector<Mass> masses;
   MassTree mass_tree;
   Coupling coupling;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace portalens {
 
@@ -24,6 +25,25 @@ Rigid motion_through(const Frame& a, const Frame& b) {
   };
   return {row(b.right.x, b.up.x, b.normal.x), row(b.right.y, b.up.y, b.normal.y),
           row(b.right.z, b.up.z, b.normal.z), a.origin, b.origin};
+}
+
+std::vector<Portal> one_sided(std::span<const Portal> portals) {
+  std::vector<Portal> all(portals.begin(), portals.end());
+  std::vector<std::uint32_t> reverse_of(portals.size());
+  auto count = static_cast<std::uint32_t>(portals.size());
+  for (std::size_t i = 0; i < portals.size(); ++i)
+    if (portals[i].two_sided) reverse_of[i] = count++;
+  for (const Portal& portal : portals) {
+    if (!portal.two_sided) continue;
+    Portal& reverse = all.emplace_back(portal);
+    // The first edge stays the first, the other way: so the pairs of vertices stay pairs.
+    std::reverse(reverse.vertices.begin() + 2, reverse.vertices.end());
+    std::swap(reverse.vertices[0], reverse.vertices[1]);
+    reverse.frame.right = -portal.frame.right;
+    reverse.frame.normal = -portal.frame.normal;
+    reverse.pair = reverse_of[portal.pair];
+  }
+  return all;
 }
 
 double congruence_error(const std::vector<Vec3d>& a, const std::vector<Vec3d>& b) {

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,13 @@ struct Portal {
   std::uint32_t pair = 0;  ///< index of the other member
   Rigid through;           ///< from this front to the pair's: T_A
   Rgb tint{1, 1, 1};
-  std::optional<std::uint32_t> back_material;  ///< none: light passes from behind
+  std::optional<std::uint32_t> back_material;  ///< none: no surface meets light from behind
+  /// What meets its back leaves the back of its pair, by the same motion. Else, without a material,
+  /// light passes from behind as if nothing were there.
+  bool two_sided = false;
+
+  /// Whether light that comes from behind meets it.
+  [[nodiscard]] bool has_back() const { return two_sided || back_material.has_value(); }
 
   /// Heights within this of the plane count as 0, and a point at height 0 is in front.
   [[nodiscard]] double height_tolerance() const { return 1e-9 * longest_edge; }
@@ -33,6 +40,11 @@ struct Portal {
 
 /// The motion through A: (x, y, z) in A's frame becomes (-x, y, -z) in B's, half a turn about `up`.
 [[nodiscard]] Rigid motion_through(const Frame& a, const Frame& b);
+
+/// The portals as gravity counts them: a two-sided pair is two one-sided pairs back to back. The
+/// reverses of two-sided portals follow the portals, in their order; they lead through by the same
+/// motion.
+[[nodiscard]] std::vector<Portal> one_sided(std::span<const Portal> portals);
 
 /// Largest distance between A's vertices moved through and the B's that correspond to them
 /// (A's v0, v1 land on B's v1, v0), divided by the longest edge; infinite if the counts differ.

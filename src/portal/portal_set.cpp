@@ -40,11 +40,50 @@ double segment_distance(const Portal& portal, const Box& box, const Segment& seg
 }  // namespace
 
 PortalSet::PortalSet(std::vector<Portal> portals) : portals_(std::move(portals)) {
-  for (const Portal& portal : portals_) {
+  for (std::uint32_t i = 0; i < portals_.size(); ++i) {
     Box box;
-    for (const Vec3d& vertex : portal.vertices) box.add(vertex);
+    for (const Vec3d& vertex : portals_[i].vertices) box.add(vertex);
     boxes_.push_back(box);
+    planes_.push_back({i, 1.0});
   }
+}
+
+PortalSet::PortalSet(std::vector<Portal> portals, const FlushFaces& flush,
+                     std::uint32_t shape_count)
+    : PortalSet(std::move(portals)) {
+  for (std::uint32_t i = 0; i < portals_.size(); ++i) {
+    const auto* place = flush.find(shape_count + i, 0);
+    planes_[i] = {place->plane, place->side};
+    for (const FaceId& over : flush.over(*place)) {
+      overlapping_.resize(portals_.size());
+      overlapping_[i].push_back(over.object - shape_count);
+    }
+  }
+}
+
+std::optional<PortalSide> PortalSet::met_at(std::uint32_t index, const Ray& ray,
+                                            Vec3d place) const {
+  const Portal& portal = portals_[index];
+  const double slope = dot(ray.direction, portal.frame.normal);
+  if (slope == 0.0 || (slope > 0.0 && !portal.has_back())) return std::nullopt;
+  if (margin(portal, portal.frame.to_local(place)) < -1e-12 * portal.longest_edge)
+    return std::nullopt;
+  return slope < 0.0 ? PortalSide::front : PortalSide::back;
+}
+
+PortalContact PortalSet::uppermost(const PortalContact& contact, const Ray& ray) const {
+  const auto leads_on = [this](const PortalContact& c) {
+    return c.side == PortalSide::front || portals_[c.portal].two_sided;
+  };
+  PortalContact best = contact;
+  if (overlapping_.empty()) return best;
+  for (const std::uint32_t i : overlapping_[contact.portal]) {
+    const auto side = met_at(i, ray, ray.at(contact.distance));
+    if (!side) continue;
+    const PortalContact other{i, *side, contact.distance};
+    if (leads_on(other) != leads_on(best) ? leads_on(other) : i < best.portal) best = other;
+  }
+  return best;
 }
 
 std::optional<double> PortalSet::contact_near(std::uint32_t index, const Ray& ray,
@@ -61,25 +100,26 @@ std::optional<double> PortalSet::contact_near(std::uint32_t index, const Ray& ra
 }
 
 std::optional<PortalContact> PortalSet::nearest(const Ray& ray, double low, double high,
-                                                std::uint32_t underfoot, double within) const {
+                                                const LeftPlane& left) const {
   std::optional<PortalContact> best;
   for (std::uint32_t i = 0; i < portals_.size(); ++i) {
     const Portal& portal = portals_[i];
     const double slope = dot(ray.direction, portal.frame.normal);
-    if (slope == 0.0 || (slope > 0.0 && !portal.back_material)) continue;
+    if (slope == 0.0 || (slope > 0.0 && !portal.has_back())) continue;
     double distance = -dot(ray.origin - portal.frame.origin, portal.frame.normal) / slope;
     // Paths come in pieces: what rounding put behind the plane at a joint is met there.
     const double rounding =
         1e-15 * (length(ray.origin) + length(portal.frame.origin) + portal.longest_edge);
     if (distance < low && (low - distance) * std::fabs(slope) <= rounding) distance = low;
-    const bool left_here = i == underfoot || (underfoot != no_portal && portal.pair == underfoot);
-    if (left_here && distance <= within) continue;
+    if (planes_[i].plane == left.plane && slope * planes_[i].side * left.side > 0.0 &&
+        distance <= left.reach)
+      continue;
     if (!(distance >= low && distance <= high) || (best && distance >= best->distance)) continue;
     if (margin(portal, portal.frame.to_local(ray.at(distance))) < -1e-12 * portal.longest_edge)
       continue;
     best = PortalContact{i, slope < 0.0 ? PortalSide::front : PortalSide::back, distance};
   }
-  return best;
+  return best ? std::optional(uppermost(*best, ray)) : std::nullopt;
 }
 
 double PortalSet::clearance(Vec3d x, double limit) const {

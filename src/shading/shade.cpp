@@ -136,20 +136,29 @@ class Shader {
     const std::span<const Portal> portals = space_.portals.portals();
     for (std::uint32_t i = 0; i < portals.size(); ++i) {
       const Portal& portal = portals[i];
-      if (portal.frame.to_local(point.position).z < -portal.height_tolerance()) continue;
+      const double height = portal.frame.to_local(point.position).z;
+      if (height < -portal.height_tolerance() && !portal.two_sided) continue;
       LightSample image = sample;
       image.position = portal.through.move_back(sample.position);
       image.normal = portal.through.rotate_back(sample.normal);
-      if (crosses(i, point.position, image.position)) ask(point, image, share * portal.tint, i);
+      if (crosses(i, point, image.position)) ask(point, image, share * portal.tint, i);
     }
   }
 
-  /// Whether the straight way goes through the portal's face from front to back.
-  bool crosses(std::uint32_t portal, Vec3d from, Vec3d to) const {
-    if (!(dot(to - from, space_.portals.portals()[portal].frame.normal) < 0.0)) return false;
-    const double distance = length(to - from);
-    return space_.portals.contact_near(portal, {from, (to - from) / distance}, distance)
-        .has_value();
+  /// Whether the straight way from the point goes through the portal's face: from front to back, or
+  /// either way if it is two-sided. In the plane of the face it leaves nothing is crossed.
+  bool crosses(std::uint32_t portal, const ShadingPoint& point, Vec3d to) const {
+    const Portal& crossed = space_.portals.portals()[portal];
+    const double distance = length(to - point.position);
+    const Ray ray{point.position, (to - point.position) / distance};
+    const double slope = dot(ray.direction, crossed.frame.normal);
+    if (!(slope < 0.0) && !crossed.two_sided) return false;
+    const auto contact = space_.portals.contact_near(portal, ray, distance);
+    if (!contact || *contact * std::fabs(slope) < -crossed.height_tolerance()) return false;
+    const LeftPlane left = space_.surfaces.flush().left_by(point.leaving(ray.direction));
+    const PortalPlane& plane = space_.portals.plane_of(portal);
+    return plane.plane != left.plane || !(slope * plane.side * left.side > 0.0) ||
+           *contact > left.reach;
   }
 
   [[gnu::always_inline]] void ask(const ShadingPoint& point, const LightSample& sample, Rgb share,

@@ -5,10 +5,6 @@
 namespace portalens {
 namespace {
 
-/// Rays from a portal's material back start this far behind its plane, relative to its longest
-/// edge: more than the tolerance within which a point still counts as in front.
-constexpr double behind_portal = 1e-7;
-
 /// A portal's back is a flat face in the portal's own frame: lengths from its first vertex, and
 /// texture coordinates from 0 to 1 over its bounding rectangle.
 SurfacePoint place_on_back(const Portal& portal, Vec3d x) {
@@ -49,8 +45,10 @@ ShadingPoint ShadingPoints::on_back(const Arrival& arrival) const {
                            place_on_back(portal, arrival.position));
   point.normal = point.outward = -portal.frame.normal;
   const double height = dot(arrival.position - portal.frame.origin, portal.frame.normal);
-  point.position =
-      arrival.position - portal.frame.normal * (height + behind_portal * portal.longest_edge);
+  point.position = arrival.position - portal.frame.normal * height;
+  point.shape = static_cast<std::uint32_t>(shapes_.size()) + arrival.object;
+  point.front = -1.0;
+  point.size = length(point.position) + portal.longest_edge;
   return point;
 }
 

@@ -2,6 +2,7 @@
 /// The place where a photon met something solid, as shading sees it.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -17,15 +18,16 @@ struct ShadingPoint {
   Vec3d outward;   ///< unit; of the surface itself, where a mesh interpolates `normal`
   Rgb diffuse;     ///< its colour
   std::uint32_t material = 0;
-  std::uint32_t shape = no_object;  ///< none for a portal's back
+  std::uint32_t shape = no_object;  ///< or a portal, by the number of its opening
   std::uint32_t face = 0;
   double front = 1.0;  ///< 1 where `outward` is the surface's own normal, -1 against it
-  double reach = 0.0;  ///< of departures
+  double size = 0.0;   ///< of the place and the scene, for departures
 
-  /// How a ray in `direction` leaves this point.
+  /// How a ray in `direction`, of any length, leaves this point.
   [[nodiscard]] Departure leaving(Vec3d direction) const {
-    if (shape == no_object) return {};
-    return {shape, face, front * dot(direction, outward) < 0.0 ? -1.0 : 1.0, reach};
+    const double slope = dot(direction, outward);
+    return {shape, face, front * slope < 0.0 ? -1.0 : 1.0,
+            departure_reach(size, std::clamp(slope, -1.0, 1.0))};
   }
 };
 
@@ -54,9 +56,6 @@ class ShadingPoints {
   }
 
  private:
-  /// Departures hold over this share of the place's and the scene's size.
-  static constexpr double departure_share = 1e-6;
-
   [[nodiscard]] std::uint32_t material_of(const Arrival& arrival) const {
     return appearance_.bodies[arrival.object].material_of(arrival.face);
   }
@@ -77,7 +76,7 @@ class ShadingPoints {
             arrival.object,
             arrival.face,
             front,
-            departure_share * (length(arrival.position) + extent_)};
+            length(arrival.position) + extent_};
   }
 
   const Space& space_;

@@ -3,16 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "photon/obstacles.h"
+
 namespace portalens {
 namespace {
 
 /// The end of the way that is not looked at, relative to coordinates: the light's own surface lies
 /// there, found again with the rounding of its place and of a mesh's candidates.
 constexpr double light_margin = 1e-6;
-
-/// How far surfaces that lie in a portal's plane reach in front of it, relative to its size: at a
-/// tie the portal comes first (equations.md, sec. 6).
-constexpr double portal_margin = 1e-8;
 
 struct Stretch {
   Ray ray;
@@ -35,11 +33,6 @@ bool meets_horizon(const Space& space, const Stretch& way) {
   });
 }
 
-bool free_of_surfaces(const Space& space, const Stretch& way, double low, double high,
-                      const Departure& departure) {
-  return high <= low || !space.surfaces.blocked(way.ray, low, high, departure);
-}
-
 /// Where the light's own surface no longer counts.
 double short_of_light(const Stretch& way) {
   const Vec3d& x = way.ray.origin;
@@ -47,34 +40,35 @@ double short_of_light(const Stretch& way) {
   return way.length - light_margin * size;
 }
 
-bool visible_directly(const Space& space, const Stretch& way, double low,
-                      const Departure& departure) {
+bool visible_directly(const Space& space, const Stretch& way, const Departure& departure) {
   const double high = short_of_light(way);
-  if (high <= low) return true;
-  if (space.portals.nearest(way.ray, low, high)) return false;
-  return free_of_surfaces(space, way, low, high, departure) && !meets_horizon(space, way);
+  if (high <= 0.0) return true;
+  if (space.portals.nearest(way.ray, 0.0, high, space.surfaces.flush().left_by(departure)))
+    return false;
+  return !space.surfaces.blocked(way.ray, 0.0, high, departure) && !meets_horizon(space, way);
 }
 
 bool visible_through(const Space& space, const ShadowQuery& query) {
   const Portal& portal = space.portals.portals()[query.portal];
   const Stretch unfolded = stretch(query.from, query.to);
-  const auto contact = space.portals.nearest(unfolded.ray, 0.0, unfolded.length);
-  if (!contact || contact->portal != query.portal || contact->side != PortalSide::front)
+  const auto met = Obstacles(space.surfaces, space.portals)
+                       .first(unfolded.ray, unfolded.length, {query.departure});
+  if (!met || met->object != query.portal ||
+      (met->kind != Encounter::Kind::portal_front &&
+       met->kind != Encounter::Kind::portal_through_back) ||
+      meets_horizon(space, {unfolded.ray, met->distance}))
     return false;
-  const double margin = portal_margin * portal.longest_edge;
-  const Stretch before{unfolded.ray, contact->distance};
-  if (!free_of_surfaces(space, before, 0.0, contact->distance - margin, query.departure) ||
-      meets_horizon(space, before))
-    return false;
-  const Vec3d entry = portal.through.move(unfolded.ray.at(contact->distance));
-  return visible_directly(space, stretch(entry, portal.through.move(query.to)), margin, {});
+  const Vec3d exit = portal.through.move(unfolded.ray.at(met->distance));
+  const Stretch beyond = stretch(exit, portal.through.move(query.to));
+  return visible_directly(space, beyond,
+                          space.leaving_portal(portal.pair, exit, beyond.ray.direction));
 }
 
 }  // namespace
 
 bool visible(const Space& space, const ShadowQuery& query) {
   if (query.portal != no_portal) return visible_through(space, query);
-  return visible_directly(space, stretch(query.from, query.to), 0.0, query.departure);
+  return visible_directly(space, stretch(query.from, query.to), query.departure);
 }
 
 }  // namespace portalens

@@ -16,7 +16,7 @@ constexpr double rounding_share = 1e-12;
 /// `visible` doesn't look at a millionth of the way before the light; here it is half of that.
 constexpr double before_light = 0.5e-6;
 
-/// Stands for a shape, where an obstacle is none.
+/// Stands for a shape, where an obstacle is neither one nor a portal.
 constexpr std::uint32_t no_surface = no_object - 1;
 
 double size(Vec3d x) { return std::fabs(x.x) + std::fabs(x.y) + std::fabs(x.z); }
@@ -30,13 +30,15 @@ struct ShadowScreen::Way {
   Vec3d from, to, whole;
   double slack;  ///< how far beside it things must lie
   Departure departure{};
+  LeftPlane left;
 
-  explicit Way(const ShadowQuery& query)
+  Way(const ShadowQuery& query, const FlushFaces* flush)
       : from(query.from),
         to(query.to - (query.to - query.from) * before_light),
         whole(to - from),
         slack(rounding_share * (size(from) + size(to))),
-        departure(query.departure) {}
+        departure(query.departure),
+        left(flush ? flush->left_by(departure) : LeftPlane{}) {}
 
   /// From the middle of the box that all come from to that of the one where they go.
   Way(const Box& begin, const Box& end)
@@ -63,8 +65,20 @@ ShadowScreen::ShadowScreen(const Space& space) {
           {box.middle(), half, rounding_share * (size(box.middle()) + size(half)), i});
     }
   }
-  for (const Portal& portal : space.portals.portals())
-    add_plane(portal.vertices, portal.frame.normal, no_surface);
+  for (std::uint32_t i = 0; i < space.portals.portals().size(); ++i) {
+    const Portal& portal = space.portals.portals()[i];
+    add_plane(portal.vertices, portal.frame.normal, static_cast<std::uint32_t>(shapes.size()) + i);
+  }
+  const FlushFaces& flush = space.surfaces.flush();
+  if (flush.any_shapes()) {
+    flush_ = &flush;
+    for (Plane& plane : planes_)
+      if (const auto* place = flush.find(plane.block.shape, 0)) {
+        plane.plane = place->plane;
+        plane.side = place->side;
+        plane.thickness = flush.plane(place->plane).thickness;
+      }
+  }
   for (const Mass& mass : space.masses)
     if (mass.horizon) add_ball(mass.center, mass.schwarzschild, no_surface);
   complete_ = true;
@@ -99,10 +113,16 @@ bool ShadowScreen::misses(const Way& way, const Plane& plane) {
   const double end = dot(plane.normal, way.to) - plane.offset;
   const double margin = plane.block.slack + way.slack;
   if (std::min(begin, end) > margin || std::max(begin, end) < -margin) return true;
-  if (plane.block.shape == way.departure.shape && way.departure.side * end > margin &&
-      std::fabs(begin) <= plane.rounding)
-    return true;
+  if (std::fabs(end) > margin && has_left(plane, begin, end, way.departure, way.left)) return true;
   return misses(way, plane.block);
+}
+
+bool ShadowScreen::has_left(const Plane& plane, double begin, double end,
+                            const Departure& departure, const LeftPlane& left) {
+  if (plane.block.shape == departure.shape)
+    return departure.side * end > 0.0 && std::fabs(begin) <= plane.rounding;
+  return left.plane != LeftPlane::none && left.plane == plane.plane &&
+         left.side * plane.side * end > 0.0 && std::fabs(begin) <= plane.thickness;
 }
 
 /// The way's point nearest to the centre lies outside; or it begins on the ball and leaves it, less
@@ -138,13 +158,13 @@ bool ShadowScreen::misses(const Way& way, const Block& block) {
 
 /// Whether all begin on the polygon and leave it to the side on which they end.
 bool ShadowScreen::is_left(const Plane& plane, const Way& way,
-                           std::span<const ShadowQuery> queries) {
+                           std::span<const ShadowQuery> queries) const {
   const double end = dot(plane.normal, way.to) - plane.offset;
   if (!(std::fabs(end) > plane.block.slack + way.slack)) return false;
   return std::all_of(queries.begin(), queries.end(), [&](const ShadowQuery& query) {
     return query.portal != no_portal ||
-           (query.departure.shape == plane.block.shape && query.departure.side * end > 0.0 &&
-            std::fabs(dot(plane.normal, query.from) - plane.offset) <= plane.rounding);
+           has_left(plane, dot(plane.normal, query.from) - plane.offset, end, query.departure,
+                    flush_ ? flush_->left_by(query.departure) : LeftPlane{});
   });
 }
 
@@ -162,6 +182,7 @@ void ShadowScreen::narrow(const ShadowScreen& whole, std::span<const ShadowQuery
   };
   const auto missed = [&](const auto& obstacle) { return misses(way, obstacle); };
   complete_ = whole.complete_;
+  flush_ = whole.flush_;
   take_near(whole.planes_, planes_,
             [&](const Plane& plane) { return misses(way, plane) || is_left(plane, way, queries); });
   take_near(whole.balls_, balls_, missed);
@@ -171,7 +192,7 @@ void ShadowScreen::narrow(const ShadowScreen& whole, std::span<const ShadowQuery
 bool ShadowScreen::surely_free(const ShadowQuery& query) const {
   if (!complete_ || query.portal != no_portal) return false;
   if (planes_.empty() && balls_.empty() && blocks_.empty()) return true;
-  const Way way(query);
+  const Way way(query, flush_);
   const auto missed = [&](const auto& obstacle) { return misses(way, obstacle); };
   return std::all_of(planes_.begin(), planes_.end(), missed) &&
          std::all_of(balls_.begin(), balls_.end(), missed) &&

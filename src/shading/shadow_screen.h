@@ -30,7 +30,7 @@ class ShadowScreen {
   struct Block {
     Vec3d middle, half;  ///< a box around it
     double slack = 0.0;
-    std::uint32_t shape = no_object;
+    std::uint32_t shape = no_object;  ///< or a portal, by the number of its opening
   };
   /// A polygon: its plane is where dot(normal, x) == offset.
   struct Plane {
@@ -38,6 +38,10 @@ class ShadowScreen {
     double offset = 0.0;
     double rounding = 0.0;  ///< how far off the plane points on it may lie
     Block block;
+    /// Where it lies in one plane with others: on which side of that plane's normal its own is, and
+    /// how far off points of the others may lie.
+    std::uint32_t plane = LeftPlane::none;
+    double side = 1.0, thickness = 0.0;
   };
   struct Ball {
     Vec3d center;
@@ -51,12 +55,16 @@ class ShadowScreen {
   void add_ball(Vec3d center, double radius, std::uint32_t shape);
 
   [[nodiscard]] static bool misses(const Way& way, const Plane& plane);
+  /// Whether a way that ends at that height over the plane has begun on it, or on what lies in it.
+  [[nodiscard]] static bool has_left(const Plane& plane, double begin, double end,
+                                     const Departure& departure, const LeftPlane& left);
   [[nodiscard]] static bool misses(const Way& way, const Ball& ball);
   [[nodiscard]] static bool misses(const Way& way, const Block& block);
-  [[nodiscard]] static bool is_left(const Plane& plane, const Way& way,
-                                    std::span<const ShadowQuery> queries);
+  [[nodiscard]] bool is_left(const Plane& plane, const Way& way,
+                             std::span<const ShadowQuery> queries) const;
 
   bool complete_ = false;
+  const FlushFaces* flush_ = nullptr;  ///< null where no shape lies in the plane of something else
   std::vector<Plane> planes_;
   std::vector<Ball> balls_;
   std::vector<Block> blocks_;

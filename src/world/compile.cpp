@@ -69,8 +69,9 @@ void check_portal_gravity(const Scene& scene, const Physics& physics, const Obje
                                  "'{}' never lets a photon go",
                                  coupling),
                      "give a min_force above 0, or portal_gravity 'shortest-path'");
+  const std::vector<Portal> mouths = one_sided(objects.portals);
   const CouplingCost cost =
-      estimated_cost(coupling, {objects.portals, objects.masses, physics.min_force,
+      estimated_cost(coupling, {mouths, objects.masses, physics.min_force,
                                 static_cast<int>(physics.portal_gravity_depth),
                                 static_cast<int>(physics.graviton_resolution)});
   if (cost.each_call > coupling_budget.each_call)

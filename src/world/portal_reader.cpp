@@ -64,8 +64,13 @@ void PortalReader::read(Parameters& parameters, const std::string& name, Materia
   portal.name = name;
   portal.vertices = as_vectors(parameters.points("vertices", 3, most_vertices));
   portal.tint = to_vec3(parameters.triple("tint", non_negative, Triple{1, 1, 1}));
-  if (parameters.has("back") && parameters.text("back") != "open")
-    portal.back_material = materials.named_by(parameters, "back");
+  read.back = parameters.where("back");
+  if (parameters.has("back")) {
+    const std::string back = parameters.text("back");
+    portal.two_sided = back == "portal";
+    if (back != "open" && back != "portal")
+      portal.back_material = materials.named_by(parameters, "back");
+  }
   if (!portal.vertices.empty()) {
     if (const auto fault = polygon_fault(portal.vertices)) {
       parameters.fault("vertices", in_quotes(name) + ": " + fault->problem, fault->remedy);
@@ -108,6 +113,15 @@ std::optional<std::uint32_t> PortalReader::partner(std::uint32_t index) const {
   return found->second;
 }
 
+void PortalReader::check_backs(const Read& a, const Read& b) const {
+  if (a.portal.two_sided == b.portal.two_sided) return;
+  const Read &has = a.portal.two_sided ? a : b, &lacks = a.portal.two_sided ? b : a;
+  faults_->add(has.back,
+               fmt::format("portal {} has the back 'portal', and its pair {} has not",
+                           in_quotes(has.portal.name), in_quotes(lacks.portal.name)),
+               "give back = \"portal\" to both, or to neither");
+}
+
 void PortalReader::check_congruent(const Read& a, const Read& b) const {
   const double error = congruence_error(a.portal.vertices, b.portal.vertices);
   if (error <= congruent) return;
@@ -128,6 +142,7 @@ std::vector<Portal> PortalReader::join() {
     if (const auto other = partner(i)) {
       const Read& pair = portals_[*other];
       read.portal.pair = *other;
+      if (i < *other) check_backs(read, pair);
       if (read.sound && pair.sound) {
         if (i < *other) check_congruent(read, pair);
         read.portal.through = motion_through(read.portal.frame, pair.portal.frame);

@@ -29,11 +29,12 @@ class PortalReader {
   struct Read {
     Portal portal;
     std::string pair;
-    Location where, vertices, pair_where;
+    Location where, vertices, pair_where, back;
     bool sound = false;  ///< its polygon is fit to be one
   };
 
   [[nodiscard]] std::optional<std::uint32_t> partner(std::uint32_t index) const;
+  void check_backs(const Read& a, const Read& b) const;
   void check_congruent(const Read& a, const Read& b) const;
 
   Faults* faults_;

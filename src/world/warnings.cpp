@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <string>
 #include <string_view>
+#include <utility>
 
 #include "core/words.h"
 #include "gravity/bound_light.h"
-#include "world/portal_overlap.h"
 #include "world/world.h"
 
 namespace portalens {
@@ -124,17 +125,36 @@ void about_hidden_bodies(const World& world, Warnings& warnings) {
   }
 }
 
-void about_portals(const World& world, Warnings& warnings) {
+/// What lies in one plane and shares an area.
+void about_flush_faces(const World& world, Warnings& warnings) {
   const auto portals = world.space.portals.portals();
-  const auto overlap = [&](std::size_t j, std::size_t i) {
-    return portals_overlap(portals[j], portals[i]);
+  const std::size_t shape_count = world.space.surfaces.shapes().size();
+  const auto name = [&](std::uint32_t object) {
+    return in_quotes(object < shape_count ? world.appearance.bodies[object].name
+                                          : portals[object - shape_count].name);
   };
-  const auto tell = [&](std::size_t j, std::size_t i) {
-    return fmt::format(
-        "portals {} and {} lie in one plane and overlap: where they do, the first one counts",
-        in_quotes(portals[j].name), in_quotes(portals[i].name));
-  };
-  about_pairs("portals", portals.size(), overlap, tell, warnings);
+  std::size_t found = 0;
+  for (const auto& [seen, hidden] : world.space.surfaces.flush().overlaps()) {
+    std::string told = fmt::format("{} lies in the plane of {}: ", name(seen), name(hidden));
+    if (hidden >= shape_count) {
+      const Portal &a = portals[seen - shape_count], &b = portals[hidden - shape_count];
+      const bool one_way = dot(a.frame.normal, b.frame.normal) > 0.0;
+      if (!one_way && !a.has_back() && !b.has_back()) continue;  // a door with two sides
+      told = fmt::format(
+          "portals {} and {} lie in one plane and overlap: where they do, the first one counts",
+          name(seen), name(hidden));
+    } else if (seen == hidden) {
+      told = fmt::format("triangles of {} lie on each other: the later ones are seen", name(seen));
+    } else if (seen >= shape_count) {
+      told += fmt::format("where it is met, {} is not", name(hidden));
+    } else {
+      told += fmt::format("where both are, {} is seen", name(seen));
+    }
+    if (found++ < most_told) warnings.push_back(std::move(told));
+  }
+  if (found > most_told)
+    warnings.push_back(
+        fmt::format("{} more pairs lie in one plane and overlap", found - most_told));
 }
 
 void about_light(const World& world, Warnings& warnings) {
@@ -166,7 +186,7 @@ std::vector<std::string> warnings_about(const World& world) {
   about_masses(world, warnings);
   about_bound_light(world, warnings);
   about_hidden_bodies(world, warnings);
-  about_portals(world, warnings);
+  about_flush_faces(world, warnings);
   about_light(world, warnings);
   return warnings;
 }

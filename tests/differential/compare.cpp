@@ -97,11 +97,6 @@ bool trace_exactly(const Stage& stage, double limit, std::vector<Arrival>& arriv
   return true;
 }
 
-/// By which scenes that are left to the scalar engine are counted. A space doesn't tell more.
-std::string why_not_in_lanes(const Space& space) {
-  return space.lanes ? "this processor has no lanes" : "the space has no plan for lanes";
-}
-
 }  // namespace
 
 bool is_worse(const Difference& a, const Difference& b) {
@@ -129,7 +124,7 @@ Comparison compare(const Stage& stage, double limit) {
   Comparison comparison;
   if (!takes_lanes(stage.own.space, Engine::automatic)) {
     comparison.outcome = Outcome::not_in_lanes;
-    comparison.reason = why_not_in_lanes(stage.own.space);
+    comparison.reason = why_no_lanes(stage.own.space, Engine::automatic);
     return comparison;
   }
   std::vector<Arrival> lanes, scalar, exact;

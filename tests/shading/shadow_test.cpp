@@ -198,7 +198,8 @@ TEST(Shadow, AMaterialBackIsShadedFromBehindAndShinesThere) {
   ASSERT_EQ(output.offspring.size(), 1u);
   const Photon& next = output.offspring[0];
   EXPECT_LT(next.direction.z, 0.0);
-  EXPECT_FALSE(space.portals.nearest({next.position, next.direction}, 0.0, 10.0));
+  EXPECT_FALSE(space.portals.nearest({next.position, next.direction}, 0.0, 10.0,
+                                     space.surfaces.flush().left_by(next.departure)));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "support/flush_scenes.h"
 #include "support/scene_text.h"
 
 namespace portalens {
@@ -368,6 +369,26 @@ TEST(Compile, APullWithoutABoundIsAWarningThatNamesMassPortalAndRemedy) {
   for (const char* without : {"portal_gravity = \"none\"\n", "portal_gravity = \"portal-mass\"\n",
                               "portal_gravity_depth = 0\n"})
     EXPECT_TRUE(compiled(pair_and("[physics]\n" + std::string(without), heavy)).warnings.empty());
+}
+
+std::string warnings_of(const std::string& scene) {
+  std::string all;
+  for (const std::string& warning : compiled(scene).warnings) all += warning + "\n";
+  return all;
+}
+
+TEST(Compile, WarnsOfWhatLiesInOnePlaneAndTellsWhatIsSeen) {
+  using namespace test;
+  EXPECT_EQ(warnings_of(door_on_a_wall),
+            "'a' lies in the plane of 'quad0': where it is met, 'quad0' is not\n"
+            "'b' lies in the plane of 'quad1': where it is met, 'quad1' is not\n");
+  EXPECT_EQ(warnings_of(mirror_on_a_wall),
+            "'mirror0' lies in the plane of 'quad1': where both are, 'mirror0' is seen\n");
+  EXPECT_EQ(
+      warnings_of(picture_on_a_wall),
+      "'the picture' lies in the plane of 'the wall': where both are, 'the picture' is seen\n");
+  EXPECT_EQ(warnings_of(pairs_back_to_back), "");
+  EXPECT_EQ(warnings_of(pair_in_one_place), "");
 }
 
 std::string masses_along(int count, double apart) {

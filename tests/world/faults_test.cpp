@@ -124,6 +124,8 @@ TEST(Faults, OfPortals) {
        "'b' names 'c'", "name each other"},
       {portal("a", "b", square) + "bak = \"open\"\n" + b, 5, "unknown key 'bak'", "back"},
       {portal("a", "b", square) + "back = \"wood\"\n" + b, 5, "unknown material 'wood'", ""},
+      {portal("a", "b", square) + "back = \"portal\"\n" + b, 5, "its pair 'b' has not", "both"},
+      {portal("a", "b", square) + b + "back = \"portal\"\n", 9, "its pair 'a' has not", "neither"},
       {sphere + portal("a", "sphere0", square), 6, "no portal has the name 'sphere0'", ""},
   });
 }
