@@ -9,7 +9,7 @@ namespace portalens {
 /// Masses directly, and `Through` through portals. `Through` has, as `LaneField` does, `decide`,
 /// `acting`, `acceleration`, `boundary`, `sees_borders_far_off`, and
 ///   void find_changes(FirstMeeting<R>& first, Mask which, const LanePath<R>& path,
-///                     const LaneLooks<R>& looks) const;
+///                     R over) const;
 ///   void add_to(LaneBending<R>& sum, Vec3<R> x, Vec3<R> t) const;
 ///   Mask too_near(Vec3<R> x) const;
 template <class R, class Through>
@@ -35,9 +35,9 @@ struct LaneCoupled {
     return direct.acceleration(x) + through.acceleration(x);
   }
   void find_changes(FirstMeeting<R>& first, typename R::Mask which, const LanePath<R>& path,
-                    const LaneLooks<R>& looks) const {
-    direct.find_changes(first, which, path, looks);
-    through.find_changes(first, which, path, looks);
+                    R over) const {
+    direct.find_changes(first, which, path, over);
+    through.find_changes(first, which, path, over);
   }
   [[nodiscard]] typename R::Mask too_near(Vec3<R> x) const { return through.too_near(x); }
   [[nodiscard]] int mass_count() const { return direct.mass_count(); }

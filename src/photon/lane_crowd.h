@@ -84,7 +84,8 @@ struct LaneCrowdField {
 
   /// Where the path leaves or enters a ball sooner than `boundary` has foreseen.
   void find_changes(FirstMeeting<R>& first, typename R::Mask which, const LanePath<R>& path,
-                    const LaneLooks<R>& looks) const {
+                    R over) const {
+    const LaneLooks<R> looks(path, over);
     const Vec3<R> end = looks.place[LaneLooks<R>::count - 1];
     const auto offer = [&](typename R::Mask changed, Vec3<R> center, R radius2, R side) {
       const LaneDistance<R> outside{path, center, radius2};

@@ -95,18 +95,22 @@ struct LaneField {
       const Vec3<R> local = to_axes(x - spread<R>(gate.origin), gate.right, gate.up, gate.normal);
       const Vec3<R> way = to_axes(t, gate.right, gate.up, gate.normal);
       const Vec3<R> turn = to_axes(bend, gate.right, gate.up, gate.normal);
-      least = min(least,
-                  until_other_foot(gate, feet[g], reached[g] > R(0) | !acting, local, way, turn));
+      least = min(least, until_other_foot(gate, feet[g], (reached[g] > R(0)) | (!acting), local,
+                                          way, turn));
     }
     return scene.fading ? min(least, until_faded(x, t)) : least;
   }
 
   /// Where within the step what acts changes. Until there the field was as frozen, so the path is
   /// right.
+  /// @param over  how far past a border a step ends
   void find_changes(FirstMeeting<R>& first, typename R::Mask which, const LanePath<R>& path,
-                    const LaneLooks<R>& looks) const {
-    for (int i = 0; i < scene.mass_count; ++i) find_border(first, which, path, looks, i);
-    if (scene.gate_count > 0) find_gates(first, which, path, looks);
+                    R over) const {
+    for (int i = 0; i < scene.mass_count; ++i) {
+      const auto may = which & may_pass_border(path, i);
+      if (any(may)) find_border(first, may, path, over, i);
+    }
+    if (scene.gate_count > 0) find_gates(first, which, path, LaneLooks<R>(path, over));
   }
 
   /// Where a mass seen through a gate is so near that floats can't follow the light: `bare2`.
@@ -185,27 +189,30 @@ struct LaneField {
     return least;
   }
 
-  /// Where the path enters or leaves the influence of a mass.
-  void find_border(FirstMeeting<R>& first, typename R::Mask which, const LanePath<R>& path,
-                   const LaneLooks<R>& looks, int i) const {
-    const LaneMass& mass = scene.masses[i];
+  /// False only where the path stays within the influence of a mass, or out of it.
+  [[nodiscard]] typename R::Mask may_pass_border(const LanePath<R>& path, int i) const {
     const auto within = inside[i] > R(0);
-    const R radius(mass.influence), ahead = along[i];
-    const R inner = max(radius - path.h, R(0)), outer = radius + path.h,
-            aside = radius + path.stray;
-    const auto leaves = within & (squares[i] > inner * inner);
-    const auto comes = (!within) & (ahead + path.stray > R(0)) & (squares[i] < outer * outer) &
-                       (subtract_product(squares[i], ahead, ahead) < aside * aside);
-    const auto may = which & (leaves | comes);
-    if (!any(may)) return;
+    const R radius(scene.masses[i].influence), ahead = along[i];
+    const R inner = max(radius - path.h, R(0)), outer = radius + path.h;
+    const R aside = radius + path.stray;
+    return (within & (squares[i] > inner * inner)) |
+           ((!within) & (ahead + path.stray > R(0)) & (squares[i] < outer * outer) &
+            (subtract_product(squares[i], ahead, ahead) < aside * aside));
+  }
+
+  /// Where the path enters or leaves the influence of a mass.
+  [[gnu::noinline]] void find_border(FirstMeeting<R>& first, typename R::Mask may,
+                                     const LanePath<R>& path, R over, int i) const {
+    const LaneLooks<R> looks(path, over);
+    const LaneMass& mass = scene.masses[i];
     const Vec3<R> center = spread<R>(mass.center);
     const R gap = path.h * R(1.0 / (LaneLooks<R>::count - 1));
     LaneSpan<R> distances{R(0), squares[i]};
     for (int k = 1; k < LaneLooks<R>::count; ++k) {
       const Vec3<R> from = looks.place[k] - center;
       distances = {distances.high, dot(from, from)};
-      first.offer_ball(may & first.open(looks.before(k)), within, radius, distances, gap,
-                       looks.before(k), [&] {
+      first.offer_ball(may & first.open(looks.before(k)), inside[i] > R(0), R(mass.influence),
+                       distances, gap, looks.before(k), [&] {
                          return LaneDistance<R>{path, center, R(mass.influence2)};
                        });
     }
@@ -215,7 +222,7 @@ struct LaneField {
   /// ceases to act through one.
   void find_gates(FirstMeeting<R>& first, typename R::Mask which, const LanePath<R>& path,
                   const LaneLooks<R>& looks) const {
-    R qx[most_lane_gates], qy[most_lane_gates], square[most_lane_gates];
+    R qx[most_lane_gates], qy[most_lane_gates], apart2[most_lane_gates];
     R faded[most_lane_gates][most_lane_masses];
     const R gap = path.h * R(1.0 / (LaneLooks<R>::count - 1));
     for (int k = 0; k < LaneLooks<R>::count; ++k) {
@@ -228,8 +235,8 @@ struct LaneField {
         qx[g] = foot.x(local);
         qy[g] = foot.y(local);
         const Vec3<R> q{qx[g], qy[g], R(0)}, from = local - q;
-        const LaneSpan<R> squares{square[g], dot(from, from)};
-        square[g] = squares.high;
+        const LaneSpan<R> distances{apart2[g], dot(from, from)};
+        apart2[g] = distances.high;
         const LaneSpan<R> span = looks.before(k > 0 ? k : 1);
         auto still = which & first.open(span);
         if (gate.parent >= 0) still = still & (reached[gate.parent] > R(0));
@@ -238,7 +245,7 @@ struct LaneField {
           const auto changed = still & acts & other;
           if (any(changed)) offer_borders(first, gate, feet[g], changed, seen_from(g, path), span);
           if (gate.parent < 0 || gate.falls_short)
-            first.offer_ball(still, acts, R(gate.reach), squares, gap, span, [&] {
+            first.offer_ball(still, acts, R(gate.reach), distances, gap, span, [&] {
               const LocalPath<R> seen_path = seen_from(g, path), led = foot.led_by(seen_path);
               return LaneSquare<R>{seen_path.x - led.x, seen_path.y - led.y, seen_path.z,
                                    R(gate.reach2)};
@@ -247,11 +254,11 @@ struct LaneField {
         for (int i = 0; i < scene.mass_count; ++i) {
           if (!gate.fades[i]) continue;
           const Vec3<R> to_mass = spread<R>(gate.images[i]) - q;
-          const LaneSpan<R> distances{faded[g][i], dot(to_mass, to_mass)};
-          faded[g][i] = distances.high;
+          const LaneSpan<R> to_masses{faded[g][i], dot(to_mass, to_mass)};
+          faded[g][i] = to_masses.high;
           if (looks_at)
             first.offer_ball(still & acts, seen[g][i] > R(0), R(scene.masses[i].influence),
-                             distances, gap, span, [&] { return faded_on(g, i, path); });
+                             to_masses, gap, span, [&] { return faded_on(g, i, path); });
         }
       }
     }

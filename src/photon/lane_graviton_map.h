@@ -66,7 +66,7 @@ class LaneGravitonMap {
       const Vec3<R> local = local_in(map.face, x);
       const Vec3<R> way = to_axes(t, map.face.right, map.face.up, map.face.normal);
       const Vec3<R> turn = to_axes(bend, map.face.right, map.face.up, map.face.normal);
-      least = min(least, until_other_foot(map.face, feet_[k], (acts_[k] > R(0)) | !acting_, local,
+      least = min(least, until_other_foot(map.face, feet_[k], (acts_[k] > R(0)) | (!acting_), local,
                                           way, turn));
       const R qx = feet_[k].x(local), qy = feet_[k].y(local);
       const R vx = feet_[k].keep_x * way.x, vy = feet_[k].keep_y * way.y;
@@ -79,8 +79,8 @@ class LaneGravitonMap {
   }
 
   /// As in `LaneField`; and where the cells end that a step may use.
-  void find_changes(FirstMeeting<R>& first, Mask which, const LanePath<R>& path,
-                    const LaneLooks<R>& looks) const {
+  void find_changes(FirstMeeting<R>& first, Mask which, const LanePath<R>& path, R over) const {
+    const LaneLooks<R> looks(path, over);
     const R gap = path.h * R(1.0 / (LaneLooks<R>::count - 1));
     for (int m = 0; m < scene_.map_count; ++m) {
       const LaneFace& face = scene_.maps[m].face;

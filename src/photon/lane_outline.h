@@ -182,8 +182,9 @@ template <class R, class Gate>
 
 /// Where the nearest feature changes within a span, at whose end it has.
 template <class R, class Gate>
-void offer_borders(FirstMeeting<R>& first, const Gate& gate, const LaneOutlineFoot<R>& foot,
-                   typename R::Mask may, const LocalPath<R>& path, LaneSpan<R> span) {
+[[gnu::noinline]] void offer_borders(FirstMeeting<R>& first, const Gate& gate,
+                                     const LaneOutlineFoot<R>& foot, typename R::Mask may,
+                                     const LocalPath<R>& path, LaneSpan<R> span) {
   const auto within = may & (foot.within > R(0)), beside = may & !(foot.within > R(0));
   const auto along = foot.along.height(path), out = foot.out.height(path);
   auto met = first.offer(beside, along, span) | first.offer(beside, along + -foot.size, span) |
@@ -196,7 +197,7 @@ void offer_borders(FirstMeeting<R>& first, const Gate& gate, const LaneOutlineFo
       met = met | first.offer(over, height, span) | first.offer(behind, height - out, span);
     }
   }
-  first.missed = first.missed | (may & !met);
+  first.miss(may & !met, span);
 }
 
 /// Where, straight on but for how the way turns at first, the nearest feature changes or the

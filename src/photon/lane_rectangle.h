@@ -131,16 +131,19 @@ template <class R>
 struct FirstMeeting {
   using Mask = typename R::Mask;
 
-  R share{2};                 ///< of the step; beyond 1: none
-  Mask missed = R(1) < R(0);  ///< lanes where something has changed, but where was not found
+  R share{2};  ///< of the step; beyond 1: none
+  Mask missed =
+      R(1) < R(0);  ///< lanes where something has changed at once, but where was not found
 
   /// Where nothing has been met before a span.
   [[nodiscard]] Mask open(LaneSpan<R> span) const { return (share > span.low) & !missed; }
 
   /// Where a height vanishes that has other signs at the ends of a span; which lanes that is in.
+  /// Large, and seldom asked for: never inlined, as all that is asked for only where something
+  /// changes.
   /// @param height  a polynomial, or the square of a distance less that of a radius
   template <class Height>
-  Mask offer(Mask may, const Height& height, LaneSpan<R> span) {
+  [[gnu::noinline]] Mask offer(Mask may, const Height& height, LaneSpan<R> span) {
     const R z0 = height.at(span.low), z1 = height.at(span.high);
     const auto crosses = may & (((z0 > R(0)) & (z1 <= R(0))) | ((z0 < R(0)) & (z1 >= R(0))));
     if (!any(crosses)) return crosses;
@@ -165,16 +168,13 @@ struct FirstMeeting {
     const Mask grazes = may & !toggles &
                         ((within & (max(squares.low, squares.high) > inner * inner)) |
                          ((!within) & (min(squares.low, squares.high) < outer * outer)));
-    if (!any(toggles | grazes)) return;
-    const auto excess = square();
-    if (any(grazes)) offer_graze(grazes, within, excess, span);
-    if (any(toggles)) missed = missed | (toggles & !offer(toggles, excess, span));
+    if (any(toggles | grazes)) meet_ball(toggles, grazes, within, span, square);
   }
 
   /// Where the nearest feature of a rectangle changes within a span, at whose end it has.
   template <class Rectangle>
-  void offer_borders(const Rectangle& rectangle, const LaneFoot<R>& foot, Mask may,
-                     const LocalPath<R>& path, LaneSpan<R> span) {
+  [[gnu::noinline]] void offer_borders(const Rectangle& rectangle, const LaneFoot<R>& foot,
+                                       Mask may, const LocalPath<R>& path, LaneSpan<R> span) {
     const R w(rectangle.half_width), h(rectangle.half_height);
     const R x = path.x.at(span.high), y = path.y.at(span.high);
     const R side_x = select(foot.keep_x > R(0), select(x < R(0), -w, w), foot.fix_x);
@@ -189,10 +189,26 @@ struct FirstMeeting {
           offer(behind, path.x - path.y + gap, span) | offer(behind, path.x - path.y + -gap, span) |
           offer(behind, path.x + path.y + gap, span) | offer(behind, path.x + path.y + -gap, span);
     }
-    missed = missed | (may & !met);
+    miss(may & !met, span);
+  }
+
+  /// Something has changed within a span, but where was not found: the step ends before it.
+  void miss(Mask where, LaneSpan<R> span) {
+    const Mask later = span.low > R(0);
+    share = select(where & later, min(share, span.low), share);
+    missed = missed | (where & !later);
   }
 
  private:
+  /// What `offer_ball` does where the ball is met.
+  template <class Square>
+  [[gnu::noinline]] void meet_ball(Mask toggles, Mask grazes, Mask within, LaneSpan<R> span,
+                                   const Square& square) {
+    const auto excess = square();
+    if (any(grazes)) offer_graze(grazes, within, excess, span);
+    if (any(toggles)) miss(toggles & !offer(toggles, excess, span), span);
+  }
+
   /// Where a ball is entered and left again within a span, or left and entered.
   template <class Excess>
   void offer_graze(Mask may, Mask within, const Excess& excess, LaneSpan<R> span) {

@@ -71,8 +71,8 @@ class LaneShortestPath {
   }
 
   /// As in `LaneField`: by halving, as `boundary`.
-  void find_changes(FirstMeeting<R>& first, Mask which, const LanePath<R>& path,
-                    const LaneLooks<R>& looks) const {
+  void find_changes(FirstMeeting<R>& first, Mask which, const LanePath<R>& path, R over) const {
+    const LaneLooks<R> looks(path, over);
     R good(0), bad(2);
     Mask changed = R(1) < R(0);
     for (int k = 1; k < LaneLooks<R>::count; ++k) {

@@ -77,7 +77,7 @@ class LaneStepper {
     R doubtful = select(
         flies & (span(x) > R(F::sees_borders_far_off ? scene_.flight_limit : -1.0f)), R(1), R(0));
     // Steps as short as borders are found exactly have no place here.
-    doubtful = select(!flies & (most < R(4) * R(scene_.overshoot)), R(1), doubtful);
+    doubtful = select((!flies) & (most < R(4) * R(scene_.overshoot)), R(1), doubtful);
     find_horizons(path, end, field, found, doubtful);
     find_portals(path, end, found);
     find_polygons(path, end, found, doubtful);
@@ -187,7 +187,8 @@ class LaneStepper {
     if (!any(which)) return;
     const R over(scene_.overshoot);
     FirstMeeting<R> first;
-    field.find_changes(first, which, path, LaneLooks<R>(path, over));
+    // What steps of a few borders' slack run over was decided past it.
+    field.find_changes(first, which & (path.h > R(8) * over), path, over);
     doubtful = select(first.missed, R(1), doubtful);
     found.offer(first.share <= R(1), first.share + over / path.h, LaneEvent::none, R(-1));
   }

@@ -103,7 +103,6 @@ TEST(FlushRooms, EveryPhotonMeetsWhatStraightLightMeetsInBothEngines) {
     in_lanes += check.has_lanes();
     compared += check.run(400);
   }
-  std::printf("compared %d of %d rooms, lanes %d\n", compared, rooms, in_lanes);
   EXPECT_GT(compared, rooms * 250);
   EXPECT_GT(in_lanes, rooms / 2);
 }

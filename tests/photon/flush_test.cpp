@@ -49,12 +49,9 @@ TEST(Flush, ADoorShowsWhatLiesBeforeItsExitAndNeverTheWallThatItHangsOn) {
       const auto arrivals = arrivals_of(compiled(scene), engine);
       EXPECT_GT(count(arrivals, has_crossed), 1000);
       for (const Arrival& arrival : arrivals) {
-        if (arrival.crossings > 0) {
-          EXPECT_EQ(arrival.crossings, 1u);
-          EXPECT_EQ(arrival.fate, Fate::escaped);
-        } else {
-          EXPECT_EQ(arrival.object, 0u);
-        }
+        EXPECT_LE(arrival.crossings, 1u);
+        if (arrival.crossings > 0) EXPECT_EQ(arrival.fate, Fate::escaped);
+        if (arrival.fate == Fate::hit) EXPECT_EQ(arrival.object, 0u);
       }
     }
 }
@@ -64,7 +61,7 @@ TEST(Flush, DoorsOfABentRoomShowTheSameInBothEngines) {
   ASSERT_TRUE(world.space.lanes);
   const auto scalar = arrivals_of(world, Engine::scalar);
   const auto lanes = arrivals_of(world, Engine::automatic);
-  EXPECT_GT(count(scalar, has_crossed), 2000);
+  EXPECT_GT(count(scalar, has_crossed), 1000);
   int differ = 0;
   for (std::size_t i = 0; i < scalar.size(); ++i)
     differ += scalar[i].object != lanes[i].object || scalar[i].crossings != lanes[i].crossings;
@@ -85,6 +82,17 @@ TEST(Flush, AMirrorShowsWhatItMirrorsAndNotItsWall) {
   }
 }
 
+/// Whether the way of a photon leads through a quad.
+bool lies_before(const Quad& quad, const Photon& photon) {
+  const auto v = quad.vertices();
+  const double height = dot(v[0] - photon.position, quad.normal());
+  const Vec3d place =
+      photon.position + photon.direction * (height / dot(photon.direction, quad.normal()));
+  for (std::size_t k = 0; k < v.size(); ++k)
+    if (dot(cross(v[(k + 1) % v.size()] - v[k], place - v[k]), quad.normal()) < 0.0) return false;
+  return true;
+}
+
 TEST(Flush, APictureIsSeenWholeInAnyOrderAndFromBothSides) {
   const World world = compiled(picture_on_a_wall);
   const std::vector<Shape>& shapes = world.space.surfaces.shapes();
@@ -98,7 +106,10 @@ TEST(Flush, APictureIsSeenWholeInAnyOrderAndFromBothSides) {
   }
   const Space turned(world.space.physics, 16, {shapes[1], shapes[0]}, {}, {});
   const auto expected = arrivals_of(world.space, before, Engine::scalar);
-  EXPECT_NEAR(count(expected, [](const Arrival& a) { return a.object == 1; }), 1166, 60);
+  int amiss = 0;
+  for (std::size_t i = 0; i < before.size(); ++i)
+    amiss += lies_before(std::get<Quad>(shapes[1]), before[i]) != (expected[i].object == 1);
+  EXPECT_LE(amiss, 4);
   for (const Engine engine : both_engines)
     for (const auto& photons : {before, behind}) {
       const auto straight = arrivals_of(world.space, photons, engine);
@@ -160,8 +171,8 @@ std::vector<Photon> shower() {
   std::vector<Photon> photons;
   for (int i = 0; i < 14; ++i)
     for (int j = 0; j < 14; ++j)
-      photons.push_back(
-          photon_at({-1.3 + 0.2 * i, -1.3 + 0.2 * j, 5.0}, {0.02 * (j - 7), 0.01 * (i - 7), -1.0}));
+      photons.push_back(photon_at({-1.2 + 0.18 * i, -1.2 + 0.18 * j, 5.0},
+                                  {0.02 * (j - 7), 0.01 * (i - 7), -1.0}));
   return photons;
 }
 
@@ -244,14 +255,14 @@ TEST(Flush, TwoOneSidedPairsBackToBackAreAsGoodAsOneOfTwoSides) {
       photon.direction.z = -photon.direction.z;
     }
     photons.insert(photons.end(), more.begin(), more.end());
-    const auto expected = arrivals_of(two, photons, Engine::scalar);
-    EXPECT_GT(count(expected, has_crossed), 300) << coupling;
     for (const Engine engine : both_engines) {
+      const auto expected = arrivals_of(two, photons, engine);
+      EXPECT_GT(count(expected, has_crossed), 300) << coupling;
       const auto arrivals = arrivals_of(one, photons, engine);
       for (std::size_t i = 0; i < photons.size(); ++i) {
         ASSERT_EQ(arrivals[i].fate, expected[i].fate) << coupling;
         ASSERT_EQ(arrivals[i].crossings, expected[i].crossings) << coupling;
-        ASSERT_LT(length(arrivals[i].direction - expected[i].direction), 2e-3) << coupling;
+        ASSERT_LT(length(arrivals[i].direction - expected[i].direction), 1e-5) << coupling;
       }
     }
   }
