@@ -66,7 +66,7 @@ class LaneDriver {
     const bool whole = (whole_ >> lane & 1) != 0;
     if (whole) arrival = Arrival{};
     const double begun = arrival.length;
-    const State state = fresh ? put_state(lane) : state_of(lane);
+    State state = fresh ? put_state(lane) : state_of(lane);
     const double length = fresh ? begun : lanes_.length[lane];
     if (!fresh) {
       arrival.length = length;
@@ -86,7 +86,8 @@ class LaneDriver {
     }
     if (event == LaneEvent::hit) {
       const double rest = distance_to_surface(object, {state.position, state.direction}, length);
-      arrival.position += state.direction * rest;
+      state.position += state.direction * rest;
+      arrival.position = state.position;
       arrival.length = length + rest;
       Encounter seen{0.0, Encounter::Kind::surface, object, 0};
       if (has_flush_) {
@@ -118,9 +119,11 @@ class LaneDriver {
       note_passage(lane);
     if (is_told(lane)) note_place(lane, state);
     scalar_.resume(way);
-    const bool arrived = event == LaneEvent::portal    ? meet_portal(way, object)
-                         : event == LaneEvent::horizon ? scalar_.absorb(plan_.mass_of(object))
-                                                       : scalar_.one_step();
+    bool arrived = event == LaneEvent::portal    ? meet_portal(way, object)
+                   : event == LaneEvent::horizon ? scalar_.absorb(plan_.mass_of(object))
+                                                 : scalar_.one_step();
+    if (!arrived && scalar_.way().arrival.crossings != arrival.crossings)
+      arrived = swallowed_at(scalar_.way().state.position);
     const std::uint32_t handed_over =
         arrival.handed_over + scalar_.way().arrival.steps - arrival.steps;
     if (arrived || scalar_.gives_up()) {
@@ -137,6 +140,14 @@ class LaneDriver {
       if (is_told(lane)) note_place(lane, scalar_.way().state);
       put_back(lane, scalar_.way(), scalar_.free_length());
     }
+  }
+
+  /// Whether a portal led into a horizon: lanes look for those that a way comes to, not for one
+  /// about its start.
+  [[nodiscard]] bool swallowed_at(Vec3d x) {
+    vicinity_.cover(x, 0.0);
+    const auto mass = horizon_around(space_.masses, vicinity_.near(), x);
+    return mass && scalar_.absorb(*mass);
   }
 
   /// Whether anybody asks for the way of its photon.
@@ -326,7 +337,7 @@ class LaneDriver {
   LaneStep step_;
   Radau integrator_;
   Tracer<Radau, C> scalar_;
-  Vicinity vicinity_;  ///< of where photons begin
+  Vicinity vicinity_;  ///< of where photons begin, and where portals lead
   Obstacles obstacles_;
   bool has_flush_;  ///< some surface lies in the plane of something else
   std::span<const Photon> photons_;

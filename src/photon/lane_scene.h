@@ -29,6 +29,9 @@ struct LaneMass {
   float bare2;
 };
 
+/// Ways of more steps are left to the scalar engine: light winds there closer than floats can
+/// follow.
+inline constexpr int most_lane_steps = 512;
 inline constexpr int lane_count = 32;  ///< as many as `LaneStep` has bits
 
 inline constexpr int most_lane_masses = 8;

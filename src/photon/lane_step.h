@@ -72,12 +72,14 @@ class LaneStepper {
     const R roughness = Radau::roughness(Radau::doubt(bends, last, h), pull, start.gradient, h,
                                          R(scene_.third_weight), R(scene_.feedback_weight));
     const R next = select(flies, R(never), Radau::longest_after(h, roughness, R(never)));
-    const Mask again = live & !flies & (roughness > R(Radau::roughest));
+    const Mask winds = read(lanes_.steps) > R(most_lane_steps);
+    Mask again = live & !(flies | winds) & (roughness > R(Radau::roughest));
+    if constexpr (F::may_lack_room) again = again & !field.lacks_room;
     LaneFinding<R> found;
     R doubtful = select(
         flies & (span(x) > R(F::sees_borders_far_off ? scene_.flight_limit : -1.0f)), R(1), R(0));
     // Steps as short as borders are found exactly have no place here.
-    doubtful = select((!flies) & (most < R(4) * R(scene_.overshoot)), R(1), doubtful);
+    doubtful = select(winds | ((!flies) & (most < R(4) * R(scene_.overshoot))), R(1), doubtful);
     find_horizons(path, end, field, found, doubtful);
     find_portals(path, end, found);
     find_polygons(path, end, found, doubtful);
@@ -101,16 +103,16 @@ class LaneStepper {
     select(live, next, R(never)).store(lanes_.longest + first_);
 
     V x1 = end.position, t1 = end.direction;
-    const V turned = end.direction - t;
-    const R chord2 = dot(turned, turned);
-    R length = h, angle = sqrt(chord2) * multiply_add(chord2, R(1.0 / 24.0), R(1));
+    R length = h;
     if (any(ends)) {
       const R u = select(ends, found.share, R(1));
       length = length * u;
-      angle = angle * u;
       x1 = choose(ends, path.place.at(u), x1);
       t1 = choose(ends, unit(path.place.slope(u) * (R(1) / h)), t1);
     }
+    const V turned = t1 - t;
+    const R chord2 = dot(turned, turned);
+    R angle = sqrt(chord2) * multiply_add(chord2, R(1.0 / 24.0), R(1));
     const bool crosses = has_lone && any(lone.enters);
     R crossed(0);
     if (crosses) {
