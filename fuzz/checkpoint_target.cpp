@@ -58,9 +58,10 @@ void check_result(const RenderResult& result, const Provenance& provenance) {
     fuzz::require(std::all_of(layer.values.begin(), layer.values.end(),
                               [](float value) { return std::isfinite(value); }),
                   "layers are finite");
-  fuzz::require(printable(statistics_text(result, provenance.scene_words)),
+  fuzz::require(printable(statistics_text(result, provenance)),
                 "what a piece tells may be given to a terminal");
-  fuzz::require(!json_line(statistics_json(result, "picture.exr")).empty(), "it can be told");
+  fuzz::require(!json_line(statistics_json(result, provenance, "picture.exr")).empty(),
+                "it can be told");
   if (result.window.pixels() <= 64) write_picture(folder().path() / "p.exr", result, provenance);
 }
 

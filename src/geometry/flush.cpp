@@ -340,10 +340,11 @@ const FlushFaces::Place* FlushFaces::find_among(std::uint32_t begin, std::uint32
   return at != last && at->face.face == face ? &*at : nullptr;
 }
 
-std::vector<std::pair<std::uint32_t, std::uint32_t>> FlushFaces::overlaps() const {
+std::vector<std::pair<std::uint32_t, std::uint32_t>> FlushFaces::overlaps(std::size_t most) const {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
   for (const Place& place : places_)
     for (const FaceId& seen : over(place)) {
+      if (pairs.size() == most) break;
       const auto* other = find(seen.object, seen.face);
       const auto back = over(*other);
       const bool both = std::find(back.begin(), back.end(), place.face) != back.end();

@@ -105,7 +105,9 @@ class FlushFaces {
   }
   /// Objects that share an area in one plane, each pair once: which is seen there, and which is
   /// not. Of two openings the first is said to be seen.
-  [[nodiscard]] std::vector<std::pair<std::uint32_t, std::uint32_t>> overlaps() const;
+  /// @param most  no more are looked for
+  [[nodiscard]] std::vector<std::pair<std::uint32_t, std::uint32_t>> overlaps(
+      std::size_t most) const;
   /// Whether any shape lies in the plane of something else.
   [[nodiscard]] bool any_shapes() const { return any_shapes_; }
   [[nodiscard]] LeftPlane left_by(const Departure& departure) const;

@@ -133,8 +133,10 @@ void about_flush_faces(const World& world, Warnings& warnings) {
     return in_quotes(object < shape_count ? world.appearance.bodies[object].name
                                           : portals[object - shape_count].name);
   };
+  constexpr std::size_t most_pairs = 10'000;
   std::size_t found = 0;
-  for (const auto& [seen, hidden] : world.space.surfaces.flush().overlaps()) {
+  const auto pairs = world.space.surfaces.flush().overlaps(most_pairs);
+  for (const auto& [seen, hidden] : pairs) {
     std::string told = fmt::format("{} lies in the plane of {}: ", name(seen), name(hidden));
     if (hidden >= shape_count) {
       const Portal &a = portals[seen - shape_count], &b = portals[hidden - shape_count];
@@ -153,8 +155,9 @@ void about_flush_faces(const World& world, Warnings& warnings) {
     if (found++ < most_told) warnings.push_back(std::move(told));
   }
   if (found > most_told)
-    warnings.push_back(
-        fmt::format("{} more pairs lie in one plane and overlap", found - most_told));
+    warnings.push_back(fmt::format("{}{} more pairs lie in one plane and overlap",
+                                   pairs.size() < most_pairs ? "" : "at least ",
+                                   found - most_told));
 }
 
 void about_light(const World& world, Warnings& warnings) {

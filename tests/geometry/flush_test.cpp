@@ -177,7 +177,7 @@ TEST(FlushFaces, TilesSideBySideHideNothing) {
   for (int i = 0; i < 12; ++i)
     for (int j = 0; j < 12; ++j) tiles.emplace_back(here.rug(i, j, i + 1, j + 1));
   const Accelerator accelerator(tiles);
-  EXPECT_TRUE(accelerator.flush().overlaps().empty());
+  EXPECT_TRUE(accelerator.flush().overlaps(1).empty());
 }
 
 TEST(FlushFaces, AMillionthApartIsNotOnePlane) {
