@@ -169,12 +169,12 @@ class Tracer {
     double h = proposed_length();
     Curve curve = try_step(h);
     if constexpr (!I::fixed_step) {
-      const double pull = length(bending_.acceleration);
-      double roughness = integrator_.roughness(doubt_, pull, bending_.gradient, h);
+      const double pull2 = dot(bending_.acceleration, bending_.acceleration);
+      double roughness = integrator_.roughness(doubt_, pull2, bending_.gradient, h);
       while (roughness > I::roughest && h > shortest()) {
         h = std::fmax(I::longest_after(h, roughness, unbounded), shortest());
         curve = try_step(h);
-        roughness = integrator_.roughness(doubt_, pull, bending_.gradient, h);
+        roughness = integrator_.roughness(doubt_, pull2, bending_.gradient, h);
       }
       longest_ = I::longest_after(h, roughness, unbounded);
       const double cut = first_change(curve);

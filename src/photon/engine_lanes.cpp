@@ -73,21 +73,19 @@ class LaneDriver {
       arrival.turning = lanes_.turning[lane];
       arrival.steps = static_cast<std::uint32_t>(lanes_.steps[lane]);
     }
+    if (event == LaneEvent::resign) {
+      resign(lane);
+      return;
+    }
     if (event != LaneEvent::escape && event != LaneEvent::hit) {
       consult(lane, event, object, state, begun);
       return;
     }
-    arrival.position = state.position;
-    arrival.direction = state.direction;
-    if (!is_finite(state.position) || !is_finite(state.direction)) {
+    if (!is_number(lane)) {
       arrival.fate = Fate::lost;
-      end(lane);
-      return;
-    }
-    if (event == LaneEvent::hit) {
+    } else if (event == LaneEvent::hit) {
       const double rest = distance_to_surface(object, {state.position, state.direction}, length);
       state.position += state.direction * rest;
-      arrival.position = state.position;
       arrival.length = length + rest;
       Encounter seen{0.0, Encounter::Kind::surface, object, 0};
       if (has_flush_) {
@@ -104,7 +102,15 @@ class LaneDriver {
     } else {
       arrival.fate = Fate::escaped;
     }
+    arrival.position = state.position;
+    arrival.direction = state.direction;
     end(lane);
+  }
+
+  /// Asked of the floats: their sum is no number where one of them is none.
+  [[nodiscard]] bool is_number(int lane) const {
+    return std::isfinite(lanes_.x[lane] + lanes_.y[lane] + lanes_.z[lane] + lanes_.tx[lane] +
+                         lanes_.ty[lane] + lanes_.tz[lane]);
   }
 
   /// Lets the scalar engine see to what lanes don't. Never inlined: it is seldom, and large.
@@ -140,6 +146,15 @@ class LaneDriver {
       if (is_told(lane)) note_place(lane, scalar_.way().state);
       put_back(lane, scalar_.way(), scalar_.free_length());
     }
+  }
+
+  /// Leaves a photon to the scalar engine, from its start.
+  [[gnu::noinline]] void resign(int lane) {
+    if (is_told(lane)) trails_[photon_[lane]].lose_sight();
+    Arrival& arrival = arrivals_[photon_[lane]];
+    arrival = scalar_.advance(photons_[photon_[lane]], nullptr);
+    arrival.handed_over = arrival.steps;
+    end(lane);
   }
 
   /// Whether a portal led into a horizon: lanes look for those that a way comes to, not for one
@@ -296,6 +311,7 @@ class LaneDriver {
     lanes_.departed_side[lane] = 1.0f;
     lanes_.clear[lane] = 0.0f;
     lanes_.longest[lane] = never;
+    lanes_.astray[lane] = lanes_.askew[lane] = 0.0f;
     lanes_.live[lane] = 0.0f;
   }
 
@@ -313,6 +329,7 @@ class LaneDriver {
       whole_ |= std::uint32_t{1} << lane;
       put(lane, {photon.position, photon.direction}, photon.departure, 0.0);
       lanes_.length[lane] = lanes_.turning[lane] = lanes_.steps[lane] = 0.0f;
+      lanes_.astray[lane] = lanes_.askew[lane] = 0.0f;
       if (index < trails_.size()) trails_[index].pass(photon.position, 0.0, 0.0);
       ++travelling_;
       return;

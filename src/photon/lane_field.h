@@ -17,6 +17,9 @@ struct LaneField {
   /// Of each mass, from the step's start: square of its distance, and how far ahead it is.
   R squares[most_lane_masses], along[most_lane_masses];
   Foot feet[most_lane_gates];
+  /// For which place that was decided, in the gate's coordinates.
+  R anchor_x[most_lane_gates], anchor_y[most_lane_gates], anchor_z[most_lane_gates];
+  R apart2[most_lane_gates];  ///< square of its distance from the nearest point
   R reached[most_lane_gates];                 ///< 1 where the gate acts
   R seen[most_lane_gates][most_lane_masses];  ///< as `inside`, through the gate
   typename R::Mask acting;
@@ -110,7 +113,10 @@ struct LaneField {
       const auto may = which & may_pass_border(path, i);
       if (any(may)) find_border(first, may, path, over, i);
     }
-    if (scene.gate_count > 0) find_gates(first, which, path, LaneLooks<R>(path, over));
+    if (scene.gate_count == 0) return;
+    const Vec3<R> end = path.place.at(last_look(path, over));
+    typename R::Mask may[most_lane_gates];
+    if (may_change_gates(may, which, path, end)) find_gates(first, may, path, over);
   }
 
   /// Where a mass seen through a gate is so near that floats can't follow the light: `bare2`.
@@ -142,11 +148,15 @@ struct LaneField {
       const LaneGate& gate = scene.gates[g];
       const Vec3<R> local = local_of(g, anchor, qx, qy);
       const R above = gate.parent < 0 ? R(1) : reached[gate.parent];
+      anchor_x[g] = local.x;
+      anchor_y[g] = local.y;
+      anchor_z[g] = local.z;
       feet[g] = Foot::on(gate, local);
       qx[g] = feet[g].x(local);
       qy[g] = feet[g].y(local);
       const Vec3<R> from{local.x - qx[g], local.y - qy[g], local.z};
-      const auto near = (dot(from, from) < R(gate.reach2)) & (above > R(0));
+      apart2[g] = dot(from, from);
+      const auto near = (apart2[g] < R(gate.reach2)) & (above > R(0));
       reached[g] = select(near, R(1), R(0));
       acting = acting | near;
       for (int i = 0; i < scene.mass_count; ++i) {
@@ -203,9 +213,12 @@ struct LaneField {
   /// Where the path enters or leaves the influence of a mass.
   [[gnu::noinline]] void find_border(FirstMeeting<R>& first, typename R::Mask may,
                                      const LanePath<R>& path, R over, int i) const {
-    const LaneLooks<R> looks(path, over);
     const LaneMass& mass = scene.masses[i];
-    const Vec3<R> center = spread<R>(mass.center);
+    const Vec3<R> center = spread<R>(mass.center), end = path.place.at(last_look(path, over));
+    may = may & !keeps_its_side(inside[i] > R(0), path.place.c0 - center, end - center,
+                                R(mass.influence), path);
+    if (!any(may)) return;
+    const LaneLooks<R> looks(path, over);
     const R gap = path.h * R(1.0 / (LaneLooks<R>::count - 1));
     LaneSpan<R> distances{R(0), squares[i]};
     for (int k = 1; k < LaneLooks<R>::count; ++k) {
@@ -218,15 +231,80 @@ struct LaneField {
     }
   }
 
+  /// Of each gate, false only where all that was decided about it holds along the path; whether
+  /// there is a lane where it is not.
+  /// @param end  where the path ends, nearly
+  [[nodiscard]] bool may_change_gates(typename R::Mask* may, typename R::Mask which,
+                                      const LanePath<R>& path, Vec3<R> end) const {
+    R qx[most_lane_gates], qy[most_lane_gates], sway_x[most_lane_gates], sway_y[most_lane_gates];
+    auto some = R(1) < R(0);
+    for (int g = 0; g < scene.gate_count; ++g) {
+      const LaneGate& gate = scene.gates[g];
+      const Vec3<R> start{anchor_x[g], anchor_y[g], anchor_z[g]};
+      const Vec3<R> local = local_of(g, end, qx, qy);
+      qx[g] = feet[g].x(local);
+      qy[g] = feet[g].y(local);
+      const Vec3<R> q0{feet[g].x(start), feet[g].y(start), R(0)}, q{qx[g], qy[g], R(0)};
+      const auto acts = reached[g] > R(0);
+      auto keeps = !which;
+      if (gate.parent >= 0) keeps = keeps | !(reached[gate.parent] > R(0));
+      if (gate.parent < 0 || gate.falls_short) {
+        const Vec3<R> from = local - q;
+        const R square = dot(from, from), inner = max(R(gate.reach) - path.sway, R(0));
+        keeps = keeps | (acts & (square <= R(gate.reach2)) &
+                         (min(apart2[g], square) <= inner * inner));
+        const auto waits = !(acts | keeps);
+        if (any(waits))
+          keeps = keeps | (waits & stays_out_of(g, start, local, path));
+      } else {
+        keeps = R(0) < R(1);
+      }
+      const Vec3<R> sway = sway_of(g, path.sway, sway_x, sway_y);
+      sway_x[g] = feet[g].sway_x(sway);
+      sway_y[g] = feet[g].sway_y(sway);
+      if (any(acts)) keeps = keeps & (keeps_foot(gate, feet[g], start, local, sway) | !acts);
+      for (int i = 0; i < scene.mass_count; ++i)
+        if (gate.fades[i] && any(acts)) {
+          const Vec3<R> image = spread<R>(gate.images[i]);
+          keeps = keeps & (keeps_its_side(seen[g][i] > R(0), q0 - image, q - image,
+                                          R(scene.masses[i].influence), path) |
+                           !acts);
+        }
+      may[g] = which & !keeps;
+      some = some | may[g];
+    }
+    return any(some);
+  }
+
+  /// True only where a path stays out of reach of a gate.
+  [[nodiscard]] typename R::Mask stays_out_of(int g, Vec3<R> start, Vec3<R> end,
+                                              const LanePath<R>& path) const {
+    const LaneGate& gate = scene.gates[g];
+    const Foot last = Foot::on(gate, end);
+    const Vec3<R> q0{feet[g].x(start), feet[g].y(start), R(0)}, q1{last.x(end), last.y(end), R(0)};
+    const auto behind = is_behind(gate, feet[g], start) | is_behind(gate, last, end);
+    return stays_beyond(R(gate.reach), start - q0, end - q1, path, !behind);
+  }
+
   /// Where the nearest point of a gate that acts changes its feature, or where something begins or
   /// ceases to act through one.
-  void find_gates(FirstMeeting<R>& first, typename R::Mask which, const LanePath<R>& path,
-                  const LaneLooks<R>& looks) const {
-    R qx[most_lane_gates], qy[most_lane_gates], apart2[most_lane_gates];
-    R faded[most_lane_gates][most_lane_masses];
+  /// @param may  of each gate, the lanes where that may be
+  [[gnu::noinline]] void find_gates(FirstMeeting<R>& first, const typename R::Mask* may,
+                                    const LanePath<R>& path, R over) const {
+    bool asked[most_lane_gates], follows[most_lane_gates] = {};
+    // Children stand behind their parents.
+    for (int g = scene.gate_count - 1; g >= 0; --g) {
+      asked[g] = any(may[g]);
+      follows[g] = follows[g] || asked[g];
+      if (follows[g] && scene.gates[g].parent >= 0) follows[scene.gates[g].parent] = true;
+    }
+    const LaneLooks<R> looks(path, over);
     const R gap = path.h * R(1.0 / (LaneLooks<R>::count - 1));
-    for (int k = 0; k < LaneLooks<R>::count; ++k) {
+    R qx[most_lane_gates], qy[most_lane_gates], apart[most_lane_gates];
+    R faded[most_lane_gates][most_lane_masses];
+    for (int k = 0; k < LaneLooks<R>::count; ++k)
       for (int g = 0; g < scene.gate_count; ++g) {
+        if (!follows[g]) continue;
         const LaneGate& gate = scene.gates[g];
         const Vec3<R> local = local_of(g, looks.place[k], qx, qy);
         Foot foot = feet[g];
@@ -234,18 +312,18 @@ struct LaneField {
         if (any(other & !acts)) foot.take(other & !acts, Foot::on(gate, local));
         qx[g] = foot.x(local);
         qy[g] = foot.y(local);
+        if (!asked[g]) continue;
         const Vec3<R> q{qx[g], qy[g], R(0)}, from = local - q;
-        const LaneSpan<R> distances{apart2[g], dot(from, from)};
-        apart2[g] = distances.high;
+        const LaneSpan<R> squares{k > 0 ? apart[g] : R(0), dot(from, from)};
+        apart[g] = squares.high;
         const LaneSpan<R> span = looks.before(k > 0 ? k : 1);
-        auto still = which & first.open(span);
-        if (gate.parent >= 0) still = still & (reached[gate.parent] > R(0));
+        const auto still = may[g] & first.open(span);
         const bool looks_at = k > 0 && any(still);
         if (looks_at) {
           const auto changed = still & acts & other;
           if (any(changed)) offer_borders(first, gate, feet[g], changed, seen_from(g, path), span);
           if (gate.parent < 0 || gate.falls_short)
-            first.offer_ball(still, acts, R(gate.reach), distances, gap, span, [&] {
+            first.offer_ball(still, acts, R(gate.reach), squares, gap, span, [&] {
               const LocalPath<R> seen_path = seen_from(g, path), led = foot.led_by(seen_path);
               return LaneSquare<R>{seen_path.x - led.x, seen_path.y - led.y, seen_path.z,
                                    R(gate.reach2)};
@@ -254,14 +332,13 @@ struct LaneField {
         for (int i = 0; i < scene.mass_count; ++i) {
           if (!gate.fades[i]) continue;
           const Vec3<R> to_mass = spread<R>(gate.images[i]) - q;
-          const LaneSpan<R> to_masses{faded[g][i], dot(to_mass, to_mass)};
+          const LaneSpan<R> to_masses{k > 0 ? faded[g][i] : R(0), dot(to_mass, to_mass)};
           faded[g][i] = to_masses.high;
           if (looks_at)
             first.offer_ball(still & acts, seen[g][i] > R(0), R(scene.masses[i].influence),
                              to_masses, gap, span, [&] { return faded_on(g, i, path); });
         }
       }
-    }
   }
 
   /// How far a mass is, on a path, from the nearest point of a gate that it acts through.
@@ -280,6 +357,17 @@ struct LaneField {
     if (gate.parent < 0) return to_axes(t, gate.right, gate.up, gate.normal);
     return spread<R>(gate.by_x) * speed_x[gate.parent] +
            spread<R>(gate.by_y) * speed_y[gate.parent];
+  }
+
+  /// By how much the coordinates in a gate's axes sway: through another gate those of its nearest
+  /// point, which may stand still.
+  [[nodiscard]] Vec3<R> sway_of(int g, R sway, const R* sway_x, const R* sway_y) const {
+    const LaneGate& gate = scene.gates[g];
+    if (gate.parent < 0) return {sway, sway, sway};
+    const auto along = [](LaneVec v) {
+      return spread<R>({v.x < 0 ? -v.x : v.x, v.y < 0 ? -v.y : v.y, v.z < 0 ? -v.z : v.z});
+    };
+    return along(gate.by_x) * sway_x[gate.parent] + along(gate.by_y) * sway_y[gate.parent];
   }
 
   /// The path in a gate's coordinates; through another gate that of its nearest point.

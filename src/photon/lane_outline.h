@@ -39,6 +39,8 @@ struct LaneLine {
     return multiply_add(x, local.x, multiply_add(y, local.y, -offset));
   }
   [[nodiscard]] R rate(Vec3<R> way) const { return multiply_add(x, way.x, y * way.y); }
+  /// At most that of a height.
+  [[nodiscard]] R sway(Vec3<R> of) const { return multiply_add(abs(x), of.x, abs(y) * of.y); }
   [[nodiscard]] LaneQuintic<R, R> height(const LocalPath<R>& path) const {
     return path.x * x + path.y * y + -offset;
   }
@@ -77,6 +79,12 @@ struct LaneOutlineFoot {
   }
   [[nodiscard]] R speed_y(Vec3<R> way) const {
     return multiply_add(keep_xy, way.x, keep_yy * way.y);
+  }
+  [[nodiscard]] R sway_x(Vec3<R> sway) const {
+    return multiply_add(abs(keep_xx), sway.x, abs(keep_xy) * sway.y);
+  }
+  [[nodiscard]] R sway_y(Vec3<R> sway) const {
+    return multiply_add(abs(keep_xy), sway.x, abs(keep_yy) * sway.y);
   }
   [[nodiscard]] LocalPath<R> led_by(const LocalPath<R>& path) const {
     return {path.x * keep_xx + path.y * keep_xy + fix_x,
@@ -162,6 +170,12 @@ struct LaneOutlineFoot {
   };
 };
 
+/// Where the place that `foot` was found for lies right behind a polygon.
+template <class R, class Gate>
+[[nodiscard]] typename R::Mask is_behind(const Gate&, const LaneOutlineFoot<R>& foot, Vec3<R>) {
+  return foot.behind > R(0);
+}
+
 /// Where another feature than that of `foot` is nearest.
 template <class R, class Gate>
 [[nodiscard]] typename R::Mask has_other_foot(const Gate& gate, const LaneOutlineFoot<R>& foot,
@@ -178,6 +192,34 @@ template <class R, class Gate>
   for (int k = 0; k < gate.outline->count; ++k)
     leaves = leaves | (outside_of(gate.outline->edges[k], local.x, local.y) > most);
   return (within & leaves) | ((!within) & other);
+}
+
+/// True only where the feature of `foot` stays the nearest along a path.
+/// @param start, end  of the path
+/// @param sway        of each coordinate, as of `keeps_margin`
+template <class R, class Gate>
+[[nodiscard]] typename R::Mask keeps_foot(const Gate& gate, const LaneOutlineFoot<R>& foot,
+                                          Vec3<R> start, Vec3<R> end, Vec3<R> sway) {
+  const R place0 = foot.along.height(start), place1 = foot.along.height(end);
+  const R out0 = foot.out.height(start), out1 = foot.out.height(end);
+  const R along = foot.along.sway(sway), aside = foot.out.sway(sway);
+  const auto on_edge = foot.size > R(0);
+  const auto beside = keeps_margin(foot.size - place0, foot.size - place1, along) &
+                      ((!on_edge) | keeps_margin(place0, place1, along)) &
+                      keeps_margin(out0 - foot.beyond, out1 - foot.beyond, aside);
+  const auto within = foot.within > R(0), behind = foot.behind > R(0);
+  if (!any(within)) return beside;
+  const R z0 = start.z + R(gate.tolerance), z1 = end.z + R(gate.tolerance);
+  auto keeps = keeps_margin(abs(z0), select(behind, -z1, z1), sway.z);
+  const R most0 = select(behind, min(out0, R(0)), R(0)),
+          most1 = select(behind, min(out1, R(0)), R(0));
+  const R also = select(behind, aside, R(0));
+  for (int k = 0; k < gate.outline->count; ++k) {
+    const auto edge = LaneLine<R>::outside(gate.outline->edges[k]);
+    keeps = keeps & keeps_margin(most0 - edge.height(start), most1 - edge.height(end),
+                                 edge.sway(sway) + also);
+  }
+  return (within & keeps) | ((!within) & beside);
 }
 
 /// Where the nearest feature changes within a span, at whose end it has.

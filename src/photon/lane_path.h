@@ -89,7 +89,11 @@ struct LanePath {
   using V = Vec3<R>;
   LaneQuintic<R, V> place;
   R h;
+  R turn;   ///< the most that it turns by
   R stray;  ///< how far the path can be from the straight way along its first direction
+  /// How far it can be from its chord, divided by u (1 - u). Between the nodes bends may be a little
+  /// stronger than there.
+  R sway;
 
   LanePath(const StateOf<R>& start, const Bends<R>& bends, R length) : h(length) {
     using radau_details::polynomial;
@@ -100,10 +104,10 @@ struct LanePath {
     place.c3 = bends.template sum<4>(polynomial[1]) * (h2 * R(1.0 / 6.0));
     place.c4 = bends.template sum<4>(polynomial[2]) * (h2 * R(1.0 / 12.0));
     place.c5 = bends.template sum<4>(polynomial[3]) * (h2 * R(1.0 / 20.0));
+    turn = Radau::turn(bends, h);
     // At no share of the step do the bends count for more together than one that lasts.
-    stray =
-        R(0.5) * h2 *
-        max(max(span(bends.at[0]), span(bends.at[1])), max(span(bends.at[2]), span(bends.at[3])));
+    stray = R(0.5001) * h * turn;
+    sway = R(1.25) * stray;
   }
 
   /// The height over a plane, from that of the start.
@@ -127,17 +131,22 @@ struct LanePath {
   }
 };
 
-/// The places on a step's path at which lanes look whether what acts has changed; from the first,
-/// its start, to the last, nearly its end.
+/// Up to which share of a step lanes look whether what acts has changed: nearly to its end.
+/// @param over  how far past a border a step ends
+template <class R>
+[[nodiscard]] R last_look(const LanePath<R>& path, R over) {
+  return max(R(1) - R(2) * over / path.h, R(0.5));
+}
+
+/// The places on a step's path at which they look, from the first, its start.
 template <class R>
 struct LaneLooks {
   static constexpr int count = 4;
   R share[count];
   Vec3<R> place[count];
 
-  /// @param over  how far past a border a step ends
   LaneLooks(const LanePath<R>& path, R over) {
-    const R last = max(R(1) - R(2) * over / path.h, R(0.5));
+    const R last = last_look(path, over);
     for (int k = 0; k < count; ++k) {
       share[k] = last * R(k / (count - 1.0));
       place[k] = path.place.at(share[k]);
@@ -145,6 +154,43 @@ struct LaneLooks {
   }
   [[nodiscard]] LaneSpan<R> before(int k) const { return {share[k - 1], share[k]}; }
 };
+
+/// True only where a margin vanishes nowhere along a path: nowhere is
+///     first (1 - u) + last u < sway · u (1 - u).
+/// Along its chord the margin must be concave: the distance from the border of a convex region, or
+/// from that of a ball to its inside.
+/// @param first, last  at the ends of the path; the first is not negative
+template <class R>
+[[nodiscard]] typename R::Mask keeps_margin(R first, R last, R sway) {
+  const R less = sway - first - last;
+  return (last >= R(0)) & ((less <= R(0)) | (less * less <= R(4) * first * last));
+}
+
+/// True only where a path that begins further than that from something stays further.
+/// @param first, last  from its nearest points to the ends of the path
+/// @param convex       it is, as seen from both
+template <class R>
+[[nodiscard]] typename R::Mask stays_beyond(R radius, Vec3<R> first, Vec3<R> last,
+                                            const LanePath<R>& path, typename R::Mask convex) {
+  const R from = sqrt(dot(first, first)), to = sqrt(dot(last, last));
+  const Vec3<R> chord = last - first;
+  // The distance falls nowhere where it grows at the start, or still falls at the end.
+  return (to >= radius) & ((from + to >= radius + radius + path.h) |
+                           (convex & ((dot(first, chord) >= path.sway * from) |
+                                      (dot(last, chord) <= -path.sway * to))));
+}
+
+/// True only where a path stays within a ball, or out of it.
+/// @param within  it counts as within at its start
+/// @param first, last  from the ball's middle to the ends of the path
+template <class R>
+[[nodiscard]] typename R::Mask keeps_its_side(typename R::Mask within, Vec3<R> first, Vec3<R> last,
+                                              R radius, const LanePath<R>& path) {
+  const R from = sqrt(dot(first, first)), to = sqrt(dot(last, last));
+  const auto stays_in = keeps_margin(radius - from, radius - to, path.sway);
+  if (!any(!within)) return stays_in;
+  return (within & stays_in) | ((!within) & stays_beyond(radius, first, last, path, R(0) < R(1)));
+}
 
 /// The square of a path's distance from a place, less that of a radius.
 template <class R>

@@ -23,6 +23,8 @@ namespace {
 constexpr double longest_with_portals = 0.85;
 /// Floats can't keep a finer one.
 constexpr double finest_tolerance = 1e-5;
+/// What rounding may turn a way by, over the tolerance.
+constexpr double askew_share = 10.0;
 
 /// The lone masses, and all others that pull: of many masses, all are those.
 void choose_masses(const Space& space, double graze, LanePlan& plan) {
@@ -330,7 +332,16 @@ std::string physics_refusal(const Space& space) {
   return "";
 }
 
-void set_steps(const Space& space, bool looks_through, double overshoot, LanePlan& plan) {
+/// How far past a border a step ends: so far that floats know it from the border, but no further
+/// than what the pull that begins or ends there turns a way by meanwhile is nothing beside the
+/// tolerance.
+double overshoot_for(const Space& space, double ahead) {
+  const Physics& physics = space.physics;
+  const double pull = physics.min_force / (physics.c * physics.c);
+  return std::clamp(0.03 * physics.tolerance / pull, 0.1 * ahead, ahead);
+}
+
+void set_steps(const Space& space, bool looks_through, double ahead, LanePlan& plan) {
   const Physics& physics = space.physics;
   LaneScene& scene = plan.scene;
   const Radau step = Radau::from({physics.step, physics.tolerance});
@@ -338,9 +349,10 @@ void set_steps(const Space& space, bool looks_through, double overshoot, LanePla
   scene.nearness_weight = static_cast<float>(
       step.nearness_weight / (looks_through ? std::pow(longest_with_portals, 4) : 1.0));
   scene.third_weight = static_cast<float>(step.third_weight);
+  scene.most_askew = static_cast<float>(askew_share * space.physics.tolerance);
   scene.feedback_weight = static_cast<float>(step.feedback_weight);
-  scene.overshoot = static_cast<float>(overshoot);
-  scene.ahead = scene.overshoot;
+  scene.overshoot = static_cast<float>(overshoot_for(space, ahead));
+  scene.ahead = static_cast<float>(ahead);
   scene.farthest = static_cast<float>(2.0 * space.extent);
   const double radius = radius_about(space, plan.center);
   scene.radius = static_cast<float>(1.001 * radius);
@@ -354,7 +366,7 @@ void set_steps(const Space& space, bool looks_through, double overshoot, LanePla
 /// @return why; empty where the plan is whole
 std::string lay_out(const Space& space, LanePlan& plan) {
   if (std::string why = physics_refusal(space); !why.empty()) return why;
-  const double overshoot = 1e-6 * space.extent, graze = 4.0 * overshoot;
+  const double ahead = 1e-6 * space.extent, graze = 4.0 * ahead;
   choose_masses(space, graze, plan);
   plan.scene = {};
   plan.center = center_of(space);
@@ -373,7 +385,7 @@ std::string lay_out(const Space& space, LanePlan& plan) {
                        most_lane_masses);
   add_surfaces(space, plan);
   add_narrow_gaps(space, plan.center, scene);
-  set_steps(space, looks_through, overshoot, plan);
+  set_steps(space, looks_through, ahead, plan);
   return "";
 }
 

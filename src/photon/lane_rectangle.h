@@ -58,6 +58,9 @@ struct LaneFoot {
   /// How fast the nearest point moves, as the photon does.
   [[nodiscard]] R speed_x(Vec3<R> way) const { return keep_x * way.x; }
   [[nodiscard]] R speed_y(Vec3<R> way) const { return keep_y * way.y; }
+  /// How much its path sways, as the photon's does.
+  [[nodiscard]] R sway_x(Vec3<R> sway) const { return keep_x * sway.x; }
+  [[nodiscard]] R sway_y(Vec3<R> sway) const { return keep_y * sway.y; }
   /// Its path, as the photon's is; in the plane.
   [[nodiscard]] LocalPath<R> led_by(const LocalPath<R>& path) const {
     return {path.x * keep_x + fix_x, path.y * keep_y + fix_y, {}};
@@ -95,6 +98,14 @@ template <class R, class Rectangle>
   return foot;
 }
 
+/// Where a place lies right behind a rectangle, so that its rim is nearest.
+template <class R, class Rectangle>
+[[nodiscard]] typename R::Mask is_behind(const Rectangle& rectangle, const LaneFoot<R>&,
+                                         Vec3<R> local) {
+  return (abs(local.x) <= R(rectangle.half_width)) & (abs(local.y) <= R(rectangle.half_height)) &
+         (local.z < R(-rectangle.tolerance));
+}
+
 /// Where another feature than that of `foot` is nearest.
 template <class R, class Rectangle>
 [[nodiscard]] typename R::Mask has_other_foot(const Rectangle& rectangle, const LaneFoot<R>& foot,
@@ -109,6 +120,37 @@ template <class R, class Rectangle>
   const auto wraps = inside_x & inside_y & (local.z < R(-rectangle.tolerance));
   if (!any(wraps)) return other;
   return (wraps & !foot.same(foot_on(rectangle, local))) | ((!wraps) & other);
+}
+
+/// True only where the feature of `foot` stays the nearest along a path.
+/// @param start, end  of the path
+/// @param sway        of each coordinate, as of `keeps_margin`
+template <class R, class Rectangle>
+[[nodiscard]] typename R::Mask keeps_foot(const Rectangle& rectangle, const LaneFoot<R>& foot,
+                                          Vec3<R> start, Vec3<R> end, Vec3<R> sway) {
+  const R w(rectangle.half_width), h(rectangle.half_height), tolerance(rectangle.tolerance);
+  const R across = select(start.x < R(0), -end.x, end.x);
+  const R along = select(start.y < R(0), -end.y, end.y);
+  const auto inside_x = abs(start.x) <= w, inside_y = abs(start.y) <= h;
+  auto keeps = keeps_margin(abs(abs(start.x) - w),
+                            select(inside_x, w - abs(end.x), across - w), sway.x) &
+               keeps_margin(abs(abs(start.y) - h), select(inside_y, h - abs(end.y), along - h),
+                            sway.y);
+  const auto column = inside_x & inside_y;
+  if (!any(column)) return keeps;
+  const R z0 = start.z + tolerance, z1 = end.z + tolerance;
+  const auto behind = column & (z0 < R(0));
+  keeps = keeps & ((!column) | keeps_margin(abs(z0), select(behind, -z1, z1), sway.z));
+  if (!any(behind)) return keeps;
+  // There the feature is an edge: which one changes at the middle planes and the bisectors.
+  const auto to_side = foot.keep_x == R(0);
+  const R gap = select(to_side, h - w, w - h);
+  const auto margin = [&](R towards, Vec3<R> at) {
+    return min(towards, towards + gap - abs(select(to_side, at.y, at.x)));
+  };
+  const R first = margin(select(to_side, abs(start.x), abs(start.y)), start);
+  const R last = margin(select(to_side, across, along), end);
+  return keeps & ((!behind) | keeps_margin(first, last, sway.x + sway.y));
 }
 
 /// A step's path in the local coordinates of a rectangle.

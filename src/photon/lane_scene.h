@@ -191,6 +191,7 @@ struct LaneScene {
       polygon_count, sphere_count, box_count, lone_count;
   float stiffness_weight, nearness_weight;  ///< of the step, see Radau
   float third_weight, feedback_weight;      ///< of the step's roughness, see Radau
+  float most_askew;    ///< rounding may not turn a way by more, radians
   float ahead;         ///< the place that decides what acts lies this far ahead
   float overshoot;     ///< a step ends this far past a boundary
   float farthest;      ///< no step in the field is longer
@@ -228,6 +229,7 @@ enum class LaneEvent : std::int32_t {
             ///< `first_crowd_object` one of the crowd
   cross,    ///< crossed the influence of a lone mass and goes on: `object` as for `horizon`
   consult,  ///< something may be near that lanes can't judge (the step was not taken)
+  resign,   ///< lanes can't follow this way to the tolerance: it is left to the scalar engine
   limit,    ///< too many steps, too long, turned too far, or no number any more
 };
 
@@ -237,6 +239,8 @@ struct alignas(64) Lanes {
   float tx[lane_count], ty[lane_count], tz[lane_count];
   float length[lane_count], turning[lane_count], steps[lane_count];
   float longest[lane_count];        ///< of the next step: what the error of the last allows
+  float astray[lane_count];         ///< how far from its place rounding may have led it,
+  float askew[lane_count];          ///< and from its direction, radians
   float live[lane_count];           ///< 1 or 0
   float departed[lane_count];       ///< shape that the photon leaves, or -1; or a plane
   float departed_side[lane_count];  ///< on which side it leaves it: 1 or -1

@@ -67,20 +67,23 @@ class LaneStepper {
     StateOf<R> end = Radau::end(here, bends, h);
     end.direction = unit(end.direction);
     const LanePath<R> path(here, bends, h);
-    const R node(radau_nodes[3]), pull = sqrt(dot(start.acceleration, start.acceleration));
-    const StateOf<R> last{path.place.at(node), path.place.slope(node) * (R(1) / h)};
-    const R roughness = Radau::roughness(Radau::doubt(bends, last, h), pull, start.gradient, h,
-                                         R(scene_.third_weight), R(scene_.feedback_weight));
-    const R next = select(flies, R(never), Radau::longest_after(h, roughness, R(never)));
+    const R pull2 = dot(start.acceleration, start.acceleration);
+    const R roughness =
+        Radau::roughness(Radau::doubt(here, bends, h, path.turn), pull2, start.gradient, h,
+                         R(scene_.third_weight), R(scene_.feedback_weight));
+    R next(never);
+    if (any(roughness > R(Radau::smooth)))
+      next = select(flies, next, Radau::longest_after(h, roughness, next));
     const Mask winds = read(lanes_.steps) > R(most_lane_steps);
     Mask again = live & !(flies | winds) & (roughness > R(Radau::roughest));
     if constexpr (F::may_lack_room) again = again & !field.lacks_room;
     LaneFinding<R> found;
     R doubtful = select(
         flies & (span(x) > R(F::sees_borders_far_off ? scene_.flight_limit : -1.0f)), R(1), R(0));
-    // Steps as short as borders are found exactly have no place here.
-    doubtful = select(winds | ((!flies) & (most < R(4) * R(scene_.overshoot))), R(1), doubtful);
-    find_horizons(path, end, field, found, doubtful);
+    Mask resigns = live & (winds | field.too_near(x) |
+                           // Steps as short as borders are found exactly have no place here.
+                           ((!flies) & (most < R(4) * R(scene_.overshoot))));
+    find_horizons(path, end, field, found, resigns);
     find_portals(path, end, found);
     find_polygons(path, end, found, doubtful);
     find_spheres(path, found);
@@ -88,18 +91,19 @@ class LaneStepper {
     find_boxes(path, end, clear, doubtful);
     if (has_lone) doubtful = select(lone.inside | (lone.enters & may_end_within()), R(1), doubtful);
 
-    doubtful = select(field.too_near(x), R(1), doubtful);
     if constexpr (F::may_lack_room) doubtful = select(field.lacks_room, R(1), doubtful);
 
-    find_change(path, field, live & !flies & !again & !(doubtful > R(0)), found, doubtful);
-    const Mask consults = live & (doubtful > R(0)) & !again;
-    const Mask ends = (found.share <= R(1)) & live & !consults & !again;
-    Mask escapes = live & flies & (border >= R(never)) & !(found.share <= R(1)) & !consults;
+    again = again & !resigns;
+    find_change(path, field, live & !(flies | again | resigns | (doubtful > R(0))), found, doubtful);
+    const Mask consults = live & (doubtful > R(0)) & !(again | resigns);
+    const Mask ends = (found.share <= R(1)) & live & !(consults | again | resigns);
+    Mask escapes =
+        live & flies & (border >= R(never)) & !(found.share <= R(1)) & !(consults | resigns);
     if (has_lone) {
-      lone.enters = live & lone.enters & !consults & !ends;
+      lone.enters = live & lone.enters & !(consults | resigns | ends);
       escapes = escapes & !lone.enters;
     }
-    const Mask stays = consults | escapes | again | !live;
+    const Mask stays = consults | resigns | escapes | again | !live;
     select(live, next, R(never)).store(lanes_.longest + first_);
 
     V x1 = end.position, t1 = end.direction;
@@ -134,6 +138,7 @@ class LaneStepper {
     const R travelled = add(lanes_.length, stays, length);
     const R turning = add(lanes_.turning, stays, angle);
     const R steps = add(lanes_.steps, stays, R(1));
+    const Mask blurred = blur(stays, start.gradient * length, length, span(x1));
     write(lanes_.clear, stays, read(lanes_.clear), clear);
     write(lanes_.departed, stays, read(lanes_.departed), R(-1));
     const Mask within = (travelled <= R(scene_.max_length)) & (turning <= R(scene_.max_turning)) &
@@ -146,6 +151,7 @@ class LaneStepper {
     event = select(ends & (found.event > R(0)), found.event, event);
     event = select(escapes, code(LaneEvent::escape), event);
     event = select(consults, code(LaneEvent::consult), event);
+    event = select(resigns | blurred, code(LaneEvent::resign), event);
     event.store(lanes_.event + first_);
     found.object.store(lanes_.object + first_);
     return bits(event > R(0));
@@ -161,6 +167,19 @@ class LaneStepper {
     const R sum = select(stays, old, old + more);
     sum.store(values + first_);
     return sum;
+  }
+  /// What rounding may do to a way: it blurs every place and direction that is kept, and what a
+  /// way strays by turns it the more, the faster the field changes.
+  /// @param turns  direction that a step adds, over how far its place is off
+  /// @return where that is too much
+  [[nodiscard]] Mask blur(Mask stays, R turns, R length, R size) const {
+    const R rounding(6e-8);  // of a float that is kept, relative
+    const R astray = read(lanes_.astray), askew = read(lanes_.askew);
+    const R turned = multiply_add(turns, astray, askew + rounding);
+    write(lanes_.askew, stays, askew, turned);
+    write(lanes_.astray, stays, astray,
+          multiply_add(turned, length, multiply_add(size, rounding, astray)));
+    return (!stays) & (turned > R(scene_.most_askew));
   }
   [[nodiscard]] static R code(LaneEvent event) { return R(static_cast<int>(event)); }
   [[nodiscard]] static V choose(Mask which, V a, V b) {
@@ -196,11 +215,11 @@ class LaneStepper {
   }
 
   void find_horizons(const LanePath<R>& path, const StateOf<R>& end, const F& field,
-                     LaneFinding<R>& found, R& doubtful) const {
+                     LaneFinding<R>& found, Mask& resigns) const {
     for (int i = 0; i < field.mass_count(); ++i) {
       const LaneMass& mass = field.mass(i);
       if (mass.horizon < 0.0f) {
-        doubtful = select(field.distance2(i) < R(mass.bare2), R(1), doubtful);
+        resigns = resigns | (field.distance2(i) < R(mass.bare2));
         continue;
       }
       // Straight on, as far as it may stray from that.

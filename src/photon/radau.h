@@ -92,8 +92,9 @@ inline constexpr std::array<double, 4> end_turn = {once(4, 0, 1), once(4, 1, 1),
 template <class Real>
 struct Bends {
   Vec3<Real> at[4];
-  // Of the last node, from the values before it: what was foreseen of it.
-  Vec3<Real> foreseen, foreseen_direction;
+  /// Of the last node, where the values before it foresaw it, and how far from the direction that
+  /// they foresaw all values turn it.
+  Vec3<Real> foreseen, turned;
 
   /// Their sum with weights, of the first `count`.
   template <std::size_t count>
@@ -129,14 +130,14 @@ struct Radau {
   static constexpr bool straight_pieces = false;
   double stiffness_weight;  ///< 1/η⁴
   double nearness_weight;   ///< 1/λ⁴
-  double third_weight;      ///< 1/κ: of `StepDoubt::uneven`
+  double third_weight;      ///< 1/κ²: of `StepDoubt::uneven2`
   double feedback_weight;   ///< of what is fed back, radians
 
   static Radau from(const IntegratorSettings& settings) {
     const double tightness = std::fmin(settings.tolerance / 1e-4, 1.0);
     const double longest = longest_share * std::pow(tightness, 1.0 / 7.0);
     const double third = third_share * std::pow(settings.tolerance / 1e-4, 3.0 / 7.0);
-    return {1.0 / (error_share * settings.tolerance), 1.0 / std::pow(longest, 4), 1.0 / third,
+    return {1.0 / (error_share * settings.tolerance), 1.0 / std::pow(longest, 4), 1.0 / (third * third),
             feedback_share / settings.tolerance};
   }
 
@@ -151,55 +152,64 @@ struct Radau {
     return propose(stiffness, nearness, stiffness_weight, nearness_weight);
   }
 
-  /// @param last  the place and the direction of the last node on the step's path
+  /// The most that a step turns by: were the strongest of its bends to last, radians.
   template <class Real>
-  [[nodiscard]] static StepDoubt<Real> doubt(const Bends<Real>& bends, StateOf<Real> last, Real h) {
+  [[nodiscard]] static Real turn(const Bends<Real>& bends, Real h) {
     using std::max, std::sqrt;
-    const Vec3<Real> third = bends.template sum<4>(radau_details::polynomial[3]);
     Real most = dot(bends.at[0], bends.at[0]);
     for (int k = 1; k < 4; ++k) most = max(most, dot(bends.at[k], bends.at[k]));
-    const Vec3<Real> missed = last.position - bends.foreseen;
-    const Vec3<Real> turned = last.direction - bends.foreseen_direction;
-    return {sqrt(dot(third, third)) * h, sqrt(most) * h, sqrt(dot(missed, missed)),
-            sqrt(dot(turned, turned))};
+    return sqrt(most) * h;
+  }
+
+  template <class Real>
+  [[nodiscard]] static StepDoubt<Real> doubt(StateOf<Real> state, const Bends<Real>& bends, Real h,
+                                             Real turn) {
+    using namespace radau_details;
+    const Vec3<Real> third = bends.template sum<4>(polynomial[3]) * h;
+    const Vec3<Real> bent = bends.template sum<4>(last_place);
+    const Vec3<Real> last =
+        multiply_add(multiply_add(bent, h, state.direction * Real(radau_nodes[3])), h,
+                     state.position);
+    const Vec3<Real> missed = last - bends.foreseen;
+    return {dot(third, third), turn, dot(missed, missed), dot(bends.turned, bends.turned)};
   }
 
   /// How rough a step is: it errs by its share of the tolerance where that is 1, and by as much
-  /// more as the power 7/3 says. Of two parts: how well the quadrature follows the field is told by
+  /// more as the power 7/6 says. Of two parts: how well the quadrature follows the field is told by
   /// the last coefficient of the polynomial through its four values, which falls with h³ where the
   /// field is smooth; what the way's own bend feeds back, by what was foreseen of the last node.
-  /// @param pull      length of the acceleration at the start, 1/length
+  /// @param pull2     square of the length of the acceleration at the start, 1/length²
   /// @param gradient  of the acceleration, 1/length²
   template <class Real>
-  [[nodiscard]] static Real roughness(const StepDoubt<Real>& doubt, Real pull, Real gradient,
+  [[nodiscard]] static Real roughness(const StepDoubt<Real>& doubt, Real pull2, Real gradient,
                                       Real h, Real third_weight, Real feedback_weight) {
     using std::max, std::min, std::sqrt;
-    const Real uneven = doubt.uneven * third_weight;
-    const Real follows = uneven * uneven / max(doubt.turn, Real(1e-15));
-    const Real fed_back =
-        multiply_add(doubt.missed, gradient, Real(direction_share) * doubt.turned * pull) * h;
+    const Real follows = doubt.uneven2 * third_weight / max(doubt.turn, Real(1e-15));
+    const Real fed_back = sqrt(multiply_add(doubt.missed2 * gradient, gradient,
+                                            Real(direction_share2) * doubt.turned2 * pull2)) *
+                          h;
     // m/d, about: near a strong mass a path magnifies every error made on the way.
-    const Real strength = min(Real(2) * pull * pull / max(gradient, Real(1e-30)), Real(2));
+    const Real strength = min(Real(2) * pull2 / max(gradient, Real(1e-30)), Real(2));
     const Real square = strength * strength;
     const Real severity = multiply_add(multiply_add(Real(40), square, Real(10)), square, Real(1));
-    return sqrt(max(follows, fed_back * feedback_weight) * severity);
+    return max(follows, fed_back * feedback_weight) * severity;
   }
-  [[nodiscard]] double roughness(const StepDoubt<double>& doubt, double pull, double gradient,
+  [[nodiscard]] double roughness(const StepDoubt<double>& doubt, double pull2, double gradient,
                                  double h) const {
-    return roughness(doubt, pull, gradient, h, third_weight, feedback_weight);
+    return roughness(doubt, pull2, gradient, h, third_weight, feedback_weight);
   }
   /// How long the next step may be after one of that length and roughness. What is smooth does not
   /// bound it: a step may have been short for another reason.
   template <class Real>
   [[nodiscard]] static Real longest_after(Real h, Real roughness, Real unbounded) {
-    using std::max;
-    const Real share = Real(0.9) * inverse_fourth_root(max(roughness, Real(1e-4)));
+    using std::max, std::sqrt;
+    const Real share = Real(0.9) * inverse_fourth_root(sqrt(max(roughness, Real(smooth))));
     return select(roughness > Real(smooth), h * max(share, Real(0.2)), unbounded);
   }
   /// Less rough steps tell nothing of the next.
-  static constexpr double smooth = 0.3;
+  static constexpr double smooth = 0.1;
   /// Rougher steps are taken again, shorter.
-  static constexpr double roughest = 1.3;
+  static constexpr double roughest = 1.7;
 
   template <class Real, class Acceleration>
   [[nodiscard]] static Bends<Real> bends(const Acceleration& acceleration, StateOf<Real> state,
@@ -221,14 +231,15 @@ struct Radau {
     k2 = turning_part(a2, multiply_add(bends.template sum<2>(turn_from_before[2]), h, t));
     bends.foreseen = place(radau_nodes[3], bends.template sum<3>(place_from_before[3]));
     const Vec3<Real> a3 = acceleration(bends.foreseen);
-    bends.foreseen_direction = multiply_add(bends.template sum<3>(turn_from_before[3]), h, t);
-    k3 = turning_part(a3, bends.foreseen_direction);
+    const Vec3<Real> before = multiply_add(bends.template sum<3>(turn_from_before[3]), h, t);
+    k3 = turning_part(a3, before);
     const Vec3<Real> t1 = multiply_add(bends.template sum<4>(turn_from_all[1]), h, t);
     const Vec3<Real> t2 = multiply_add(bends.template sum<4>(turn_from_all[2]), h, t);
     const Vec3<Real> t3 = multiply_add(bends.template sum<4>(turn_from_all[3]), h, t);
     k1 = turning_part(a1, t1);
     k2 = turning_part(a2, t2);
     k3 = turning_part(a3, t3);
+    bends.turned = t3 - before;
     return bends;
   }
 
@@ -251,13 +262,9 @@ struct Radau {
                           (found.sum<4>(polynomial[2]) + found.sum<4>(polynomial[3]) * 0.5) * 0.5) *
                              0.5;
     const State arrived = end(state, found, h);
-    const double u = radau_nodes[3];
-    const auto& last_place = radau_details::last_place;
-    const State last{state.position + (state.direction * u + found.sum<4>(last_place) * h) * h,
-                     state.direction + found.sum<4>(radau_details::turn_from_all[3]) * h};
     return {{arrived.position, normalize(arrived.direction)},
             portalens::length(middle),
-            doubt(found, last, h)};
+            doubt(state, found, h, turn(found, h))};
   }
 
   /// η⁴ as a multiple of the tolerance, and λ at a tolerance of 1e-4: measured against the closed
@@ -267,10 +274,10 @@ struct Radau {
   static constexpr double longest_share = 0.65;
   /// κ at a tolerance of 1e-4.
   static constexpr double third_share = 0.5;
-  /// What is fed back at a roughness of 1 is twice the tolerance, were it all error; and which
-  /// share of a direction's is. Measured on random scenes (docs/differential.md).
+  /// What is fed back at a roughness of 1 is twice the tolerance, were it all error; and the
+  /// square of the share of a direction's. Measured on random scenes (docs/differential.md).
   static constexpr double feedback_share = 0.5;
-  static constexpr double direction_share = 0.2;
+  static constexpr double direction_share2 = 0.04;
 };
 
 }  // namespace portalens

@@ -16,10 +16,10 @@ using State = StateOf<double>;
 /// By how much the parts of a step disagree, from which an adaptive integrator judges it.
 template <class Real>
 struct StepDoubt {
-  Real uneven{};  ///< what the field along it has of the third order, radians
-  Real turn{};    ///< the most that it turns by, were it to last, radians
-  Real missed{};  ///< how far its last node lies from the place that was foreseen for it, length
-  Real turned{};  ///< and its direction from that which was foreseen, radians
+  Real uneven2{};  ///< square of what the field along it has of the third order, radians²
+  Real turn{};     ///< the most that it turns by, were its strongest bend to last, radians
+  Real missed2{};  ///< of how far its last node lies from the place foreseen for it, length²
+  Real turned2{};  ///< and its direction from that which was foreseen, radians²
 };
 
 template <class Real>

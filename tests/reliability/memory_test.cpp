@@ -134,7 +134,7 @@ TEST(Memory, WhereItRunsOutTheProgramSaysSoAndTheOldPictureStays) {
   while (least < 4000 && under(least, {"--version"}).code != 0) least += 40;
   for (int megabytes = least; megabytes <= least + 400; megabytes += 100) {
     const Outcome outcome =
-        under(megabytes, {"render", "-q", "-t", "2", "scene.toml", "-o", "scene.png"});
+        under(megabytes, {"render", "-q", "-t", "2", "--restart", "scene.toml", "-o", "scene.png"});
     if (outcome.code == 0) {
       ++done;
       folder.write("scene.png", "the old picture");
