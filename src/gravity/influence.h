@@ -23,4 +23,19 @@ namespace portalens {
   return outside / (along + std::sqrt(half2));
 }
 
+/// Distance along a path from inside a ball to its surface, about: the path is x + t s + a s²/2, of
+/// the direction t and the bend a.
+[[nodiscard]] inline double exit_from(Vec3d center, double radius, const Ray& ray, Vec3d bend) {
+  const Vec3d from = ray.origin - center;
+  const double along = dot(from, ray.direction);
+  const double inside = radius * radius - dot(from, from);
+  if (inside <= 0.0) return std::fmax(0.0, -2.0 * along);
+  double s = std::sqrt(along * along + inside) - along;
+  // One step of Newton's method on |x + t s + a s²/2 - p|² = R².
+  const Vec3d at = from + ray.direction * s + bend * (0.5 * s * s);
+  const double slope = 2.0 * dot(at, ray.direction + bend * s);
+  if (slope > 0.0) s -= (dot(at, at) - radius * radius) / slope;
+  return std::fmax(s, 0.0);
+}
+
 }  // namespace portalens

@@ -4,10 +4,12 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "gravity/field.h"
 #include "gravity/influence.h"
+#include "photon/change_finder.h"
 #include "photon/curve.h"
 #include "photon/engine.h"
 #include "photon/horizons.h"
@@ -23,22 +25,43 @@ namespace portalens {
 template <class I, class C>
 class Tracer {
  public:
+  Tracer(const Tracer&) = delete;
   Tracer(const Space& space, const I& integrator, const C& coupling)
       : space_(space),
+        tolerance_(space.physics.tolerance),
         integrator_(integrator),
         field_(space.masses, space.mass_tree, coupling, space.physics.c),
         vicinity_(space.mass_tree),
+        changes_(space, field_, vicinity_, surroundings_),
         obstacles_(space.surfaces, space.portals),
         gates_(middle_of_portals(space)) {}
 
   [[nodiscard]] Arrival advance(const Photon& photon, Journey* journey) {
-    journey_ = journey;
-    resume(Travel::of(photon));
-    if (journey_) journey_->stretches.back().push_back(travel_.state.position);
-    while (!one_step()) {
+    follow(photon, journey);
+    const Arrival found = travel_.arrived();
+    if constexpr (!I::fixed_step)
+      if (has_drifted()) return advance_finer(photon, journey, found);
+    return found;
+  }
+
+  /// A photon that drifts too far in steps of the scene's tolerance: near capture, and where it is
+  /// led through portals many times, a way magnifies every error made on it.
+  /// @param coarse  what it is without
+  [[nodiscard]] Arrival advance_finer(const Photon& photon, Journey* journey,
+                                      std::optional<Arrival> coarse) {
+    const Physics& physics = space_.physics;
+    const I usual = integrator_;
+    for (const double share : {1e-2, 1e-4}) {
+      tolerance_ = share * physics.tolerance;
+      integrator_ = I::from({physics.step, tolerance_});
+      follow(photon, journey);
+      if (coarse && travel_.arrival.steps >= physics.max_steps) break;
+      coarse = travel_.arrived();
+      if (!has_drifted() || tolerance_ < finest) break;
     }
-    if (journey_) journey_->stretches.back().push_back(travel_.state.position);
-    return travel_.arrived();
+    tolerance_ = physics.tolerance;
+    integrator_ = usual;
+    return *coarse;
   }
 
   /// Takes up a way that was begun elsewhere.
@@ -119,6 +142,20 @@ class Tracer {
   }
 
  private:
+  void follow(const Photon& photon, Journey* journey) {
+    journey_ = journey;
+    if (journey_) *journey_ = Journey();
+    resume(Travel::of(photon));
+    if (journey_) journey_->stretches.back().push_back(travel_.state.position);
+    while (!one_step()) {
+    }
+    if (journey_) journey_->stretches.back().push_back(travel_.state.position);
+  }
+
+  [[nodiscard]] bool has_drifted() const {
+    return travel_.drift.direction > trusted_drift * space_.physics.tolerance;
+  }
+
   /// A point slightly ahead: what acts there decides what acts over the step.
   [[nodiscard]] Vec3d ahead() const {
     return travel_.state.position + travel_.state.direction * (1e-9 * space_.extent);
@@ -142,6 +179,7 @@ class Tracer {
       if (at <= distance && std::isfinite(at)) distance = at, swallowed = i;
     }
     if (std::isinf(distance)) return end(Fate::escaped);
+    travel_.drift.pass(distance, 0.0, 0.0);
     move_on({ray.at(distance), ray.direction}, distance, 0.0);
     if (swallowed) return absorb(*swallowed);
     if (met) return encounter(*met);
@@ -169,19 +207,21 @@ class Tracer {
     double h = proposed_length();
     Curve curve = try_step(h);
     if constexpr (!I::fixed_step) {
-      const double pull2 = dot(bending_.acceleration, bending_.acceleration);
-      double roughness = integrator_.roughness(doubt_, pull2, bending_.gradient, h);
+      double roughness = roughness_of(h);
       while (roughness > I::roughest && h > shortest()) {
         h = std::fmax(I::longest_after(h, roughness, unbounded), shortest());
         curve = try_step(h);
-        roughness = integrator_.roughness(doubt_, pull2, bending_.gradient, h);
+        roughness = roughness_of(h);
       }
       longest_ = I::longest_after(h, roughness, unbounded);
-      const double cut = first_change(curve);
-      if (cut < h) {
-        h = cut;
+      const auto change = changes_.first_on(curve, margin());
+      changed_ = change.has_value();
+      if (changed_ && *change < h) {
+        h = *change;
         curve = try_step(h);
+        roughness = roughness_of(h);
       }
+      travel_.drift.pass(h, bending_.gradient, tolerance_ * roughness);
     }
     // Where a pull has no bound. Nothing is met on a way that is no number.
     if (!is_finite(end_.position) || !is_finite(end_.direction)) return end(Fate::lost);
@@ -200,6 +240,12 @@ class Tracer {
     bending_ = end_bending_;
     restless_ = I::fixed_step || changed_ || bending_.nearness == 0.0;
     return false;
+  }
+
+  /// Of the step that was tried last.
+  [[nodiscard]] double roughness_of(double h) const {
+    const double pull2 = dot(bending_.acceleration, bending_.acceleration);
+    return integrator_.roughness(doubt_, pull2, bending_.gradient, h);
   }
 
   [[nodiscard]] double proposed_length() {
@@ -226,36 +272,22 @@ class Tracer {
   [[nodiscard]] double straight_exit() const {
     double least = std::numeric_limits<double>::infinity();
     const Ray ray{travel_.state.position, travel_.state.direction};
+    const Vec3d bend = turning_part(bending_.acceleration, ray.direction);
     for (const std::uint32_t i : vicinity_.near()) {
       const Mass& mass = space_.masses[i];
       if (std::isinf(mass.influence)) continue;
       double at = entry_into(mass.center, mass.influence, ray);
-      if (at == 0.0) at = exit(mass, ray);
+      if (at == 0.0) at = exit_from(mass.center, mass.influence, ray, bend);
       least = std::fmin(least, at);
     }
     return least + margin();
-  }
-
-  [[nodiscard]] double exit(const Mass& mass, const Ray& ray) const {
-    const Vec3d from = ray.origin - mass.center;
-    const double along = dot(from, ray.direction);
-    const double r2 = mass.influence * mass.influence;
-    const double inside = r2 - dot(from, from);
-    double s = std::sqrt(along * along + inside) - along;
-    if (inside <= 0.0) return std::fmax(0.0, -2.0 * along);
-    // One step of Newton's method on |x + t s + a s²/2 - p|² = R².
-    const Vec3d bend = turning_part(bending_.acceleration, ray.direction);
-    const Vec3d at = from + ray.direction * s + bend * (0.5 * s * s);
-    const double slope = 2.0 * dot(at, ray.direction + bend * s);
-    if (slope > 0.0) s -= (dot(at, at) - r2) / slope;
-    return std::fmax(s, 0.0);
   }
 
   /// Boundaries are found to within this length: what a misplaced jump of the field can turn is a
   /// small share of the tolerance.
   [[nodiscard]] double margin() const {
     const double bend = length(bending_.acceleration);
-    const double share = 0.02 * space_.physics.tolerance;
+    const double share = 0.02 * tolerance_;
     return std::fmax(
         1e-11 * space_.extent,
         std::fmin(bend > 0.0 ? share / bend : share * space_.extent, share * space_.extent));
@@ -286,85 +318,11 @@ class Tracer {
     return std::atan2(length(cross(a, b)), dot(a, b));
   }
 
-  /// Arc length just past the first place where the surroundings change, or the curve's length.
-  [[nodiscard]] double first_change(const Curve& curve) {
-    const double h = curve.length();
-    const double tolerance = margin();
-    double good = 0.0, bad = h;
-    changed_ = false;
-    for (const double share : {0.25, 0.5, 0.75, 1.0}) {
-      if (differs(curve.position(share * h))) {
-        bad = share * h;
-        changed_ = true;
-        break;
-      }
-      good = share * h;
-    }
-    // What changes and changes back between the places looked at.
-    const double grazed = grazed_influence(curve, bad);
-    if (grazed < bad) {
-      changed_ = true;
-      bad = grazed;
-      good = 0.0;
-    }
-    if (!changed_) return h;
-    while (bad - good > tolerance) {
-      const double middle = 0.5 * (good + bad);
-      if (middle <= good || middle >= bad) break;
-      (differs(curve.position(middle)) ? bad : good) = middle;
-    }
-    return bad;
-  }
-
-  [[nodiscard]] bool differs(Vec3d x) const {
-    std::size_t next = 0;
-    for (const std::uint32_t i : vicinity_.near()) {
-      const bool was = next < surroundings_.inside.size() && surroundings_.inside[next] == i;
-      if (was) ++next;
-      if (was != Field<C>::within(space_.masses[i], x)) return true;
-    }
-    return (std::isfinite(surroundings_.quiet)) && field_.signature(x) != surroundings_.signature;
-  }
-
-  /// Arc length in the middle of an influence that the curve only grazes before `end`, or `end`.
-  [[nodiscard]] double grazed_influence(const Curve& curve, double end) const {
-    double first = end;
-    const Vec3d a = curve.position(0.0), b = curve.position(end);
-    const Vec3d along = b - a;
-    const double length2 = dot(along, along);
-    for (const std::uint32_t i : vicinity_.near()) {
-      const Mass& mass = space_.masses[i];
-      if (std::isinf(mass.influence)) continue;
-      const double share = dot(mass.center - a, along) / length2;
-      if (share <= 0.0 || share >= 1.0) continue;
-      const double s = share * end;
-      if (s < first && !Field<C>::within(mass, a) && Field<C>::within(mass, curve.position(s)))
-        first = s;
-    }
-    return grazed_coupling(curve, first);
-  }
-
-  /// The same for the coupling, before `end`: as its boundaries are at least `calm` away, the next
-  /// place to look is.
-  [[nodiscard]] double grazed_coupling(const Curve& curve, double end) const {
-    if (std::isinf(surroundings_.quiet)) return end;
-    double least = std::fmax(margin(), 1e-3 * curve.length());
-    double s = 0.0;
-    while (true) {
-      const double calm = field_.calm(curve.position(s));
-      s += std::fmax(calm, least);
-      if (s >= end) return end;
-      if (differs(curve.position(s))) return s;
-      // A path along a boundary would be looked at a thousand times.
-      if (calm < least) least *= 1.1;
-    }
-  }
-
   [[nodiscard]] std::optional<Encounter> obstacle_on(const Curve& curve) {
     const double h = curve.length();
     if (free_length_ < h) free_length_ = obstacles_.clearance(travel_.state.position, 8.0 * h);
     if (free_length_ >= h) return std::nullopt;
-    const double flatness = 0.5 * space_.physics.tolerance * (travel_.arrival.length + h);
+    const double flatness = 0.5 * tolerance_ * (travel_.arrival.length + h);
     const double free = std::exchange(free_length_, 0.0);
     return obstacles_.first(curve, free, flatness, travel_.start);
   }
@@ -376,8 +334,7 @@ class Tracer {
     if (!space_.unbounded) return false;
     const auto rest =
         last_pull(space_, travel_.state, surroundings_, bending_.acceleration, gates_);
-    if (!rest || rest->turning > space_.physics.tolerance ||
-        rest->turning * rest->closeness > 0.02 * space_.physics.tolerance)
+    if (!rest || rest->turning > tolerance_ || rest->turning * rest->closeness > 0.02 * tolerance_)
       return false;
     const Ray ray{travel_.state.position, travel_.state.direction};
     const double reach = field_.free_flight(ray, 1e-7 * space_.extent, 1e3 * space_.extent);
@@ -410,17 +367,20 @@ class Tracer {
   }
 
   static constexpr double unbounded = std::numeric_limits<double>::infinity();
+  static constexpr double finest = 1e-9;  ///< of tolerances: doubles keep hardly any finer one
 
   const Space& space_;
-  const I& integrator_;
+  double tolerance_;  ///< that of the scene, or a finer one
+  I integrator_;
   Field<C> field_;
   Vicinity vicinity_;
+  Surroundings surroundings_;
+  ChangeFinder<C> changes_;
   Obstacles obstacles_;
   Vec3d gates_;  ///< the middle of all portals
 
   Travel travel_;
   State end_;
-  Surroundings surroundings_;
   Bending bending_, end_bending_;
   StepDoubt<double> doubt_;     ///< of the step that was tried last
   double longest_ = unbounded;  ///< of the next step: what the error of the last allows

@@ -120,7 +120,8 @@ class LaneDriver {
     const bool whole = (whole_ >> lane & 1) != 0;
     if (event == LaneEvent::portal) object = portal_at(object, state);
     const PathStart start = whole ? PathStart{photons_[photon_[lane]].departure} : starts_[lane];
-    const Travel way{state, start.after(arrival.length - begun), arrival};
+    const Drift<double> drift{lanes_.astray[lane], lanes_.askew[lane]};
+    const Travel way{state, start.after(arrival.length - begun), arrival, drift};
     if (is_told(lane) && event == LaneEvent::horizon && LanePlan::is_lone(object))
       note_passage(lane);
     if (is_told(lane)) note_place(lane, state);
@@ -152,7 +153,10 @@ class LaneDriver {
   [[gnu::noinline]] void resign(int lane) {
     if (is_told(lane)) trails_[photon_[lane]].lose_sight();
     Arrival& arrival = arrivals_[photon_[lane]];
-    arrival = scalar_.advance(photons_[photon_[lane]], nullptr);
+    const Photon& photon = photons_[photon_[lane]];
+    const bool drifts = lanes_.askew[lane] > plan_.scene.most_drift;
+    arrival = drifts ? scalar_.advance_finer(photon, nullptr, std::nullopt)
+                     : scalar_.advance(photon, nullptr);
     arrival.handed_over = arrival.steps;
     end(lane);
   }
@@ -300,6 +304,8 @@ class LaneDriver {
     lanes_.length[lane] = static_cast<float>(way.arrival.length);
     lanes_.turning[lane] = static_cast<float>(way.arrival.turning);
     lanes_.steps[lane] = static_cast<float>(way.arrival.steps);
+    lanes_.astray[lane] = static_cast<float>(way.drift.place);
+    lanes_.askew[lane] = static_cast<float>(way.drift.direction);
   }
 
   void rest(int lane) {

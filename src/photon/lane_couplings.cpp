@@ -144,7 +144,7 @@ LaneFace face_of(const Portal& portal, Vec3d center, double reach) {
           static_cast<float>(reach * reach)};
 }
 
-LaneMap map_of(const GravitonGrid& grid, const LaneFace& face) {
+LaneMap map_of(const GravitonGrid& grid, const LaneFace& face, float most_nearness) {
   return {face,
           static_cast<float>(grid.low_x()),
           static_cast<float>(grid.low_y()),
@@ -155,6 +155,7 @@ LaneMap map_of(const GravitonGrid& grid, const LaneFace& face) {
           static_cast<float>(grid.count_x() - 2),
           static_cast<float>(grid.count_y() - 2),
           static_cast<int>(grid.count_x()),
+          most_nearness,
           nullptr,
           nullptr};
 }
@@ -176,16 +177,22 @@ void add_nodes(const GravitonGrid& grid, double inverse_c2, LanePlan& plan) {
     }
 }
 
+/// Of the cells of a portal's map: `LaneMap::most_nearness`.
+float most_nearness(const Space& space, std::uint32_t portal) {
+  double most = 1e30;  // no cell's
+  for (const BoundLight& light :
+       bound_light(GravitonMapCoupling::name, space.mouths, space.masses, space.physics.c)) {
+    if (light.portal != portal) continue;
+    const double m = gravitational_radius(space.masses[light.mass].gm, space.physics.c);
+    most = std::min(most, std::pow(too_near * m, -4.0));
+  }
+  return static_cast<float>(most);
+}
+
 [[nodiscard]] std::string add_maps(const Space& space, const GravitonMapCoupling& coupling,
                                    LanePlan& plan) {
   const std::vector<Portal>& portals = space.mouths;
   const double inverse_c2 = 1.0 / (space.physics.c * space.physics.c);
-  const auto bound = bound_light(GravitonMapCoupling::name, portals, space.masses, space.physics.c);
-  if (!bound.empty())
-    return fmt::format(
-        "the map of portal {} holds a pull of mass {} without a bound (a "
-        "core_radius gives it one)",
-        in_quotes(portals[bound[0].portal].name), in_quotes(space.masses[bound[0].mass].name));
   std::vector<std::size_t> first;
   for (std::uint32_t a = 0; a < portals.size(); ++a) {
     const double reach = coupling.exact().reach(a);
@@ -194,7 +201,8 @@ void add_nodes(const GravitonGrid& grid, double inverse_c2, LanePlan& plan) {
       return fmt::format("more than {} sides of portals act (lanes take {})", most_lane_portals,
                          most_lane_portals);
     const LaneFace face = face_of(portals[a], plan.center, reach);
-    plan.scene.maps[plan.scene.map_count++] = map_of(coupling.grid(a), face);
+    plan.scene.maps[plan.scene.map_count++] =
+        map_of(coupling.grid(a), face, most_nearness(space, a));
     first.push_back(plan.map_cells.size() / 2);
     add_nodes(coupling.grid(a), inverse_c2, plan);
   }

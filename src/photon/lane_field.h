@@ -19,7 +19,7 @@ struct LaneField {
   Foot feet[most_lane_gates];
   /// For which place that was decided, in the gate's coordinates.
   R anchor_x[most_lane_gates], anchor_y[most_lane_gates], anchor_z[most_lane_gates];
-  R apart2[most_lane_gates];  ///< square of its distance from the nearest point
+  R apart2[most_lane_gates];                  ///< square of its distance from the nearest point
   R reached[most_lane_gates];                 ///< 1 where the gate acts
   R seen[most_lane_gates][most_lane_masses];  ///< as `inside`, through the gate
   typename R::Mask acting;
@@ -251,11 +251,10 @@ struct LaneField {
       if (gate.parent < 0 || gate.falls_short) {
         const Vec3<R> from = local - q;
         const R square = dot(from, from), inner = max(R(gate.reach) - path.sway, R(0));
-        keeps = keeps | (acts & (square <= R(gate.reach2)) &
-                         (min(apart2[g], square) <= inner * inner));
+        keeps =
+            keeps | (acts & (square <= R(gate.reach2)) & (min(apart2[g], square) <= inner * inner));
         const auto waits = !(acts | keeps);
-        if (any(waits))
-          keeps = keeps | (waits & stays_out_of(g, start, local, path));
+        if (any(waits)) keeps = keeps | (waits & stays_out_of(g, start, local, path));
       } else {
         keeps = R(0) < R(1);
       }
@@ -314,8 +313,8 @@ struct LaneField {
         qy[g] = foot.y(local);
         if (!asked[g]) continue;
         const Vec3<R> q{qx[g], qy[g], R(0)}, from = local - q;
-        const LaneSpan<R> squares{k > 0 ? apart[g] : R(0), dot(from, from)};
-        apart[g] = squares.high;
+        const LaneSpan<R> reaches{k > 0 ? apart[g] : R(0), dot(from, from)};
+        apart[g] = reaches.high;
         const LaneSpan<R> span = looks.before(k > 0 ? k : 1);
         const auto still = may[g] & first.open(span);
         const bool looks_at = k > 0 && any(still);
@@ -323,7 +322,7 @@ struct LaneField {
           const auto changed = still & acts & other;
           if (any(changed)) offer_borders(first, gate, feet[g], changed, seen_from(g, path), span);
           if (gate.parent < 0 || gate.falls_short)
-            first.offer_ball(still, acts, R(gate.reach), squares, gap, span, [&] {
+            first.offer_ball(still, acts, R(gate.reach), reaches, gap, span, [&] {
               const LocalPath<R> seen_path = seen_from(g, path), led = foot.led_by(seen_path);
               return LaneSquare<R>{seen_path.x - led.x, seen_path.y - led.y, seen_path.z,
                                    R(gate.reach2)};
@@ -364,10 +363,10 @@ struct LaneField {
   [[nodiscard]] Vec3<R> sway_of(int g, R sway, const R* sway_x, const R* sway_y) const {
     const LaneGate& gate = scene.gates[g];
     if (gate.parent < 0) return {sway, sway, sway};
-    const auto along = [](LaneVec v) {
+    const auto positive = [](LaneVec v) {
       return spread<R>({v.x < 0 ? -v.x : v.x, v.y < 0 ? -v.y : v.y, v.z < 0 ? -v.z : v.z});
     };
-    return along(gate.by_x) * sway_x[gate.parent] + along(gate.by_y) * sway_y[gate.parent];
+    return positive(gate.by_x) * sway_x[gate.parent] + positive(gate.by_y) * sway_y[gate.parent];
   }
 
   /// The path in a gate's coordinates; through another gate that of its nearest point.

@@ -14,10 +14,11 @@ class LaneGravitonMap {
  public:
   using Mask = typename R::Mask;
 
-  explicit LaneGravitonMap(const LaneScene& scene) : scene_(scene), acting_(R(1) < R(0)) {}
+  explicit LaneGravitonMap(const LaneScene& scene)
+      : scene_(scene), acting_(R(1) < R(0)), bound_(acting_) {}
 
   void decide(Vec3<R> anchor) {
-    acting_ = R(1) < R(0);
+    acting_ = bound_ = R(1) < R(0);
     for (int k = 0; k < scene_.map_count; ++k) {
       const LaneMap& map = scene_.maps[k];
       const Vec3<R> local = local_in(map.face, anchor);
@@ -35,6 +36,7 @@ class LaneGravitonMap {
       low_y_[k] = R(map.low_y) + (cell.j - back) * R(map.spacing_y);
       high_y_[k] = R(map.low_y) + (cell.j + on) * R(map.spacing_y);
       nearness_[k] = cell.nearness * acts_[k];
+      bound_ = bound_ | (near & (cell.nearness > R(map.most_nearness)));
     }
   }
   [[nodiscard]] Mask acting() const { return acting_; }
@@ -118,8 +120,8 @@ class LaneGravitonMap {
     }
   }
 
-  /// Lanes don't take maps of what has no bound.
-  [[nodiscard]] Mask too_near(Vec3<R>) const { return R(1) < R(0); }
+  /// As of `LaneField`.
+  [[nodiscard]] Mask too_near(Vec3<R>) const { return bound_; }
 
   static constexpr bool sees_borders_far_off = true;
 
@@ -195,7 +197,7 @@ class LaneGravitonMap {
   R nearness_[most_lane_portals];
   R low_x_[most_lane_portals], high_x_[most_lane_portals];
   R low_y_[most_lane_portals], high_y_[most_lane_portals];
-  Mask acting_;
+  Mask acting_, bound_;
 };
 
 }  // namespace portalens

@@ -91,8 +91,8 @@ struct LanePath {
   R h;
   R turn;   ///< the most that it turns by
   R stray;  ///< how far the path can be from the straight way along its first direction
-  /// How far it can be from its chord, divided by u (1 - u). Between the nodes bends may be a little
-  /// stronger than there.
+  /// How far it can be from its chord, divided by u (1 - u). Between the nodes bends may be a
+  /// little stronger than there.
   R sway;
 
   LanePath(const StateOf<R>& start, const Bends<R>& bends, R length) : h(length) {

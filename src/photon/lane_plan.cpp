@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/words.h"
+#include "photon/drift.h"
 #include "photon/lane_couplings.h"
 #include "photon/lane_shapes.h"
 #include "photon/radau.h"
@@ -23,8 +24,6 @@ namespace {
 constexpr double longest_with_portals = 0.85;
 /// Floats can't keep a finer one.
 constexpr double finest_tolerance = 1e-5;
-/// What rounding may turn a way by, over the tolerance.
-constexpr double askew_share = 10.0;
 
 /// The lone masses, and all others that pull: of many masses, all are those.
 void choose_masses(const Space& space, double graze, LanePlan& plan) {
@@ -349,7 +348,8 @@ void set_steps(const Space& space, bool looks_through, double ahead, LanePlan& p
   scene.nearness_weight = static_cast<float>(
       step.nearness_weight / (looks_through ? std::pow(longest_with_portals, 4) : 1.0));
   scene.third_weight = static_cast<float>(step.third_weight);
-  scene.most_askew = static_cast<float>(askew_share * space.physics.tolerance);
+  scene.tolerance = static_cast<float>(physics.tolerance);
+  scene.most_drift = static_cast<float>(trusted_drift_in_lanes * physics.tolerance);
   scene.feedback_weight = static_cast<float>(step.feedback_weight);
   scene.overshoot = static_cast<float>(overshoot_for(space, ahead));
   scene.ahead = static_cast<float>(ahead);

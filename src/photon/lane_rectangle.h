@@ -132,10 +132,9 @@ template <class R, class Rectangle>
   const R across = select(start.x < R(0), -end.x, end.x);
   const R along = select(start.y < R(0), -end.y, end.y);
   const auto inside_x = abs(start.x) <= w, inside_y = abs(start.y) <= h;
-  auto keeps = keeps_margin(abs(abs(start.x) - w),
-                            select(inside_x, w - abs(end.x), across - w), sway.x) &
-               keeps_margin(abs(abs(start.y) - h), select(inside_y, h - abs(end.y), along - h),
-                            sway.y);
+  auto keeps =
+      keeps_margin(abs(abs(start.x) - w), select(inside_x, w - abs(end.x), across - w), sway.x) &
+      keeps_margin(abs(abs(start.y) - h), select(inside_y, h - abs(end.y), along - h), sway.y);
   const auto column = inside_x & inside_y;
   if (!any(column)) return keeps;
   const R z0 = start.z + tolerance, z1 = end.z + tolerance;

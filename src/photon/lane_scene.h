@@ -143,6 +143,9 @@ struct LaneMap {
   float per_x, per_y;    ///< 1 / spacing
   float last_i, last_j;  ///< of the cells
   int row;               ///< nodes in one
+  /// Where cells are nearer to masses than that, light is left to the scalar engine: as `bare2` of
+  /// a `LaneGate`.
+  float most_nearness;
   /// Four for each node: the acceleration over c², and the stiffness over c².
   const float* nodes;
   /// Two for the cell to the upper right of each node: the nearness, and how many cells further on
@@ -191,7 +194,8 @@ struct LaneScene {
       polygon_count, sphere_count, box_count, lone_count;
   float stiffness_weight, nearness_weight;  ///< of the step, see Radau
   float third_weight, feedback_weight;      ///< of the step's roughness, see Radau
-  float most_askew;    ///< rounding may not turn a way by more, radians
+  float tolerance;                          ///< of the scene's physics, radians
+  float most_drift;                         ///< of a way that lanes may follow, radians
   float ahead;         ///< the place that decides what acts lies this far ahead
   float overshoot;     ///< a step ends this far past a boundary
   float farthest;      ///< no step in the field is longer
@@ -239,8 +243,8 @@ struct alignas(64) Lanes {
   float tx[lane_count], ty[lane_count], tz[lane_count];
   float length[lane_count], turning[lane_count], steps[lane_count];
   float longest[lane_count];        ///< of the next step: what the error of the last allows
-  float astray[lane_count];         ///< how far from its place rounding may have led it,
-  float askew[lane_count];          ///< and from its direction, radians
+  float astray[lane_count];         ///< its `Drift`: of its place,
+  float askew[lane_count];          ///< and of its direction
   float live[lane_count];           ///< 1 or 0
   float departed[lane_count];       ///< shape that the photon leaves, or -1; or a plane
   float departed_side[lane_count];  ///< on which side it leaves it: 1 or -1

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "math/multiply_add.h"
+#include "photon/drift.h"
 #include "photon/lane_coupled.h"
 #include "photon/lane_crossing.h"
 #include "photon/lane_crowd.h"
@@ -94,7 +95,8 @@ class LaneStepper {
     if constexpr (F::may_lack_room) doubtful = select(field.lacks_room, R(1), doubtful);
 
     again = again & !resigns;
-    find_change(path, field, live & !(flies | again | resigns | (doubtful > R(0))), found, doubtful);
+    find_change(path, field, live & !(flies | again | resigns | (doubtful > R(0))), found,
+                doubtful);
     const Mask consults = live & (doubtful > R(0)) & !(again | resigns);
     const Mask ends = (found.share <= R(1)) & live & !(consults | again | resigns);
     Mask escapes =
@@ -138,7 +140,8 @@ class LaneStepper {
     const R travelled = add(lanes_.length, stays, length);
     const R turning = add(lanes_.turning, stays, angle);
     const R steps = add(lanes_.steps, stays, R(1));
-    const Mask blurred = blur(stays, start.gradient * length, length, span(x1));
+    const Mask drifts = drift(stays, length, span(x1), start.gradient,
+                              R(scene_.tolerance) * select(flies, R(0), roughness));
     write(lanes_.clear, stays, read(lanes_.clear), clear);
     write(lanes_.departed, stays, read(lanes_.departed), R(-1));
     const Mask within = (travelled <= R(scene_.max_length)) & (turning <= R(scene_.max_turning)) &
@@ -151,7 +154,8 @@ class LaneStepper {
     event = select(ends & (found.event > R(0)), found.event, event);
     event = select(escapes, code(LaneEvent::escape), event);
     event = select(consults, code(LaneEvent::consult), event);
-    event = select(resigns | blurred, code(LaneEvent::resign), event);
+    event = select(resigns | (drifts & !(event == code(LaneEvent::horizon))),
+                   code(LaneEvent::resign), event);
     event.store(lanes_.event + first_);
     found.object.store(lanes_.object + first_);
     return bits(event > R(0));
@@ -168,18 +172,16 @@ class LaneStepper {
     sum.store(values + first_);
     return sum;
   }
-  /// What rounding may do to a way: it blurs every place and direction that is kept, and what a
-  /// way strays by turns it the more, the faster the field changes.
-  /// @param turns  direction that a step adds, over how far its place is off
-  /// @return where that is too much
-  [[nodiscard]] Mask blur(Mask stays, R turns, R length, R size) const {
-    const R rounding(6e-8);  // of a float that is kept, relative
-    const R astray = read(lanes_.astray), askew = read(lanes_.askew);
-    const R turned = multiply_add(turns, astray, askew + rounding);
-    write(lanes_.askew, stays, askew, turned);
-    write(lanes_.astray, stays, astray,
-          multiply_add(turned, length, multiply_add(size, rounding, astray)));
-    return (!stays) & (turned > R(scene_.most_askew));
+  /// What the step and the rounding of where it ends add to what a way has drifted; where that is
+  /// too much.
+  [[nodiscard]] Mask drift(Mask stays, R length, R size, R gradient, R error) const {
+    const R rounding(6e-8);
+    const Drift<R> before{read(lanes_.astray), read(lanes_.askew)};
+    Drift<R> after = before;
+    after.pass(length, gradient, error + rounding);
+    write(lanes_.astray, stays, before.place, multiply_add(size, rounding, after.place));
+    write(lanes_.askew, stays, before.direction, after.direction);
+    return (!stays) & (after.direction > R(scene_.most_drift));
   }
   [[nodiscard]] static R code(LaneEvent event) { return R(static_cast<int>(event)); }
   [[nodiscard]] static V choose(Mask which, V a, V b) {

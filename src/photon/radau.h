@@ -137,8 +137,8 @@ struct Radau {
     const double tightness = std::fmin(settings.tolerance / 1e-4, 1.0);
     const double longest = longest_share * std::pow(tightness, 1.0 / 7.0);
     const double third = third_share * std::pow(settings.tolerance / 1e-4, 3.0 / 7.0);
-    return {1.0 / (error_share * settings.tolerance), 1.0 / std::pow(longest, 4), 1.0 / (third * third),
-            feedback_share / settings.tolerance};
+    return {1.0 / (error_share * settings.tolerance), 1.0 / std::pow(longest, 4),
+            1.0 / (third * third), feedback_share / settings.tolerance};
   }
 
   /// @param stiffness  Σ w m d⁻⁵, nearness  Σ v d⁻⁴, both 1/length⁴
@@ -167,9 +167,8 @@ struct Radau {
     using namespace radau_details;
     const Vec3<Real> third = bends.template sum<4>(polynomial[3]) * h;
     const Vec3<Real> bent = bends.template sum<4>(last_place);
-    const Vec3<Real> last =
-        multiply_add(multiply_add(bent, h, state.direction * Real(radau_nodes[3])), h,
-                     state.position);
+    const Vec3<Real> last = multiply_add(
+        multiply_add(bent, h, state.direction * Real(radau_nodes[3])), h, state.position);
     const Vec3<Real> missed = last - bends.foreseen;
     return {dot(third, third), turn, dot(missed, missed), dot(bends.turned, bends.turned)};
   }

@@ -2,6 +2,7 @@
 /// How far a photon has come: what one engine hands to another.
 #pragma once
 
+#include "photon/drift.h"
 #include "photon/obstacles.h"
 #include "photon/photon.h"
 #include "photon/step.h"
@@ -12,6 +13,7 @@ struct Travel {
   State state;
   PathStart start;
   Arrival arrival;  ///< length, turning, steps, crossings and tint so far
+  Drift<double> drift;
 
   [[nodiscard]] static Travel of(const Photon& photon) {
     Travel travel;

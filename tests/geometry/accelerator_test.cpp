@@ -57,10 +57,6 @@ double clearance_of(const std::vector<Shape>& shapes, const Segment& segment,
   return least;
 }
 
-double clearance_of_all(const std::vector<Shape>& shapes, const Segment& segment) {
-  return clearance_of(shapes, segment, [](const Shape&) { return true; });
-}
-
 bool is_mesh(const Shape& shape) { return std::holds_alternative<Mesh>(shape); }
 
 void expect_same(const std::optional<SurfaceHit>& found, const std::optional<SurfaceHit>& truth) {

@@ -125,7 +125,8 @@ TEST_P(CrowdsIn, LanesLandWhereTheScalarEngineHasThem) {
     const Errors scalar(by_scalar(space, photons), exact);
     const Errors lanes(in_lanes(space, photons, lane_engine().name), exact);
     EXPECT_LE(lanes.unlike, 2 * scalar.unlike + 2);
-    EXPECT_LT(lanes.at(0.5), 3.0 * scalar.at(0.5) + 2e-6);
+    // The scalar engine takes most ways through a thick crowd again, in finer steps.
+    EXPECT_LT(lanes.at(0.5), 3.0 * scalar.at(0.5) + 5e-6);
     EXPECT_LT(lanes.at(0.9), 4.0 * scalar.at(0.9) + 1e-5);
   }
 }

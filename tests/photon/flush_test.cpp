@@ -50,8 +50,12 @@ TEST(Flush, ADoorShowsWhatLiesBeforeItsExitAndNeverTheWallThatItHangsOn) {
       EXPECT_GT(count(arrivals, has_crossed), 1000);
       for (const Arrival& arrival : arrivals) {
         EXPECT_LE(arrival.crossings, 1u);
-        if (arrival.crossings > 0) EXPECT_EQ(arrival.fate, Fate::escaped);
-        if (arrival.fate == Fate::hit) EXPECT_EQ(arrival.object, 0u);
+        if (arrival.crossings > 0) {
+          EXPECT_EQ(arrival.fate, Fate::escaped);
+        }
+        if (arrival.fate == Fate::hit) {
+          EXPECT_EQ(arrival.object, 0u);
+        }
       }
     }
 }
@@ -152,8 +156,9 @@ TEST(Flush, APairInOnePlaceIsAnOpenWindow) {
     for (std::size_t i = 0; i < arrivals.size(); ++i) {
       ASSERT_LE(arrivals[i].crossings, 1u);
       ASSERT_EQ(arrivals[i].fate, expected[i].fate);
-      if (arrivals[i].fate == Fate::escaped)
+      if (arrivals[i].fate == Fate::escaped) {
         ASSERT_LT(length(arrivals[i].direction - expected[i].direction), 1e-3);
+      }
     }
   }
 }

@@ -1,0 +1,106 @@
+/// \file
+/// Where, along a step, what acts on a photon changes.
+#pragma once
+
+#include <cmath>
+#include <optional>
+
+#include "gravity/field.h"
+#include "photon/curve.h"
+#include "photon/space.h"
+#include "photon/vicinity.h"
+
+namespace portalens {
+
+/// Compares what acts along a step with what acted at its start. Borrows all that it is made of.
+template <class C>
+class ChangeFinder {
+ public:
+  /// @param vicinity  covers every step that is looked along
+  /// @param surroundings  of its start
+  ChangeFinder(const Space& space, const Field<C>& field, const Vicinity& vicinity,
+               const Surroundings& surroundings)
+      : space_(space), field_(field), vicinity_(vicinity), surroundings_(surroundings) {}
+
+  /// Arc length just past the first place where the surroundings change, to within `margin`, or
+  /// nothing.
+  [[nodiscard]] std::optional<double> first_on(const Curve& curve, double margin) const {
+    const double h = curve.length();
+    double good = 0.0, bad = h;
+    bool changed = false;
+    for (const double share : {0.25, 0.5, 0.75, 1.0}) {
+      if (differs(curve.position(share * h))) {
+        bad = share * h;
+        changed = true;
+        break;
+      }
+      good = share * h;
+    }
+    // What changes and changes back between the places looked at.
+    const double grazed = grazed_influence(curve, bad, margin);
+    if (grazed < bad) {
+      changed = true;
+      bad = grazed;
+      good = 0.0;
+    }
+    if (!changed) return std::nullopt;
+    while (bad - good > margin) {
+      const double middle = 0.5 * (good + bad);
+      if (middle <= good || middle >= bad) break;
+      (differs(curve.position(middle)) ? bad : good) = middle;
+    }
+    return bad;
+  }
+
+ private:
+  [[nodiscard]] bool differs(Vec3d x) const {
+    std::size_t next = 0;
+    for (const std::uint32_t i : vicinity_.near()) {
+      const bool was = next < surroundings_.inside.size() && surroundings_.inside[next] == i;
+      if (was) ++next;
+      if (was != Field<C>::within(space_.masses[i], x)) return true;
+    }
+    return (std::isfinite(surroundings_.quiet)) && field_.signature(x) != surroundings_.signature;
+  }
+
+  /// Arc length in the middle of an influence that the curve only grazes before `end`, or `end`.
+  [[nodiscard]] double grazed_influence(const Curve& curve, double end, double margin) const {
+    double first = end;
+    const Vec3d a = curve.position(0.0), b = curve.position(end);
+    const Vec3d along = b - a;
+    const double length2 = dot(along, along);
+    for (const std::uint32_t i : vicinity_.near()) {
+      const Mass& mass = space_.masses[i];
+      if (std::isinf(mass.influence)) continue;
+      const double share = dot(mass.center - a, along) / length2;
+      if (share <= 0.0 || share >= 1.0) continue;
+      const double s = share * end;
+      if (s < first && !Field<C>::within(mass, a) && Field<C>::within(mass, curve.position(s)))
+        first = s;
+    }
+    return grazed_coupling(curve, first, margin);
+  }
+
+  /// The same for the coupling, before `end`: as its boundaries are at least `calm` away, the next
+  /// place to look is.
+  [[nodiscard]] double grazed_coupling(const Curve& curve, double end, double margin) const {
+    if (std::isinf(surroundings_.quiet)) return end;
+    double least = std::fmax(margin, 1e-3 * curve.length());
+    double s = 0.0;
+    while (true) {
+      const double calm = field_.calm(curve.position(s));
+      s += std::fmax(calm, least);
+      if (s >= end) return end;
+      if (differs(curve.position(s))) return s;
+      // A path along a boundary would be looked at a thousand times.
+      if (calm < least) least *= 1.1;
+    }
+  }
+
+  const Space& space_;
+  const Field<C>& field_;
+  const Vicinity& vicinity_;
+  const Surroundings& surroundings_;
+};
+
+}  // namespace portalens
