@@ -79,7 +79,11 @@ double ClosestPointCoupling::calm(Vec3d x, int depth, std::uint32_t left_out) co
     const Vec3d place = gate.face.place(feature, local);
     const double distance = length(local - place);
     least = std::min(least, std::fabs(distance - acts_within));
-    if (!(distance < acts_within)) continue;
+    if (!(distance < acts_within)) {
+      // The rim may be far where the plane is near; past that, the face is there at once.
+      if (gate.face.is_behind(local)) least = std::min(least, -local.z);
+      continue;
+    }
     // Where it does not jump, the nearest point moves no faster than x does.
     least = std::min(least, gate.face.calm(local));
     const Vec3d beyond = gate.through.move(gate.face.frame().to_world(place));

@@ -281,8 +281,10 @@ struct LaneField {
     const LaneGate& gate = scene.gates[g];
     const Foot last = Foot::on(gate, end);
     const Vec3<R> q0{feet[g].x(start), feet[g].y(start), R(0)}, q1{last.x(end), last.y(end), R(0)};
+    // Past the plane the face is at once as near as that.
     const auto behind = is_behind(gate, feet[g], start) | is_behind(gate, last, end);
-    return stays_beyond(R(gate.reach), start - q0, end - q1, path, !behind);
+    const auto below = (start.z < R(0)) & keeps_margin(-start.z, -end.z, path.sway);
+    return stays_beyond(R(gate.reach), start - q0, end - q1, path, !behind) & (below | !behind);
   }
 
   /// Where the nearest point of a gate that acts changes its feature, or where something begins or

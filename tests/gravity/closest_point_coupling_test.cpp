@@ -131,5 +131,24 @@ TEST(ClosestPointCoupling, IsCalmWhileAnImageRestsOnARim) {
   }
 }
 
+TEST(ClosestPointCoupling, IsNeitherQuietNorCalmThroughThePlaneOfAFace) {
+  PortalScene scene;
+  scene.min_force = 0.5;
+  const std::vector<Vec3d> face = {{-30, -30, 0}, {30, -30, 0}, {30, 30, 0}, {-30, 30, 0}};
+  const Frame exit{{100, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  add_pair(scene, face, exit);
+  add_mass(scene, {100, 0, 1}, 8.0);  // felt to a distance of 4, and of 3 before the face
+  const ClosestPointCoupling coupling(scene.input(1));
+  const Frame& frame = scene.portals[0].frame;
+  const auto at = [&](double height, double aside = 2.0) {
+    return frame.to_world({aside, 0.0, height});
+  };
+  // The rim is 28 away, but what comes through the plane has the face before it.
+  EXPECT_NEAR(coupling.quiet(at(-5.0)), 2.0, 1e-9);
+  EXPECT_NEAR(coupling.calm(at(-5.0)), 5.0, 1e-9);
+  EXPECT_EQ(coupling.quiet(at(0.5)), 0.0);
+  EXPECT_NEAR(coupling.quiet(at(-5.0, 50.0)), std::hypot(20.0, 5.0) - 3.0, 1e-9);
+}
+
 }  // namespace
 }  // namespace portalens::test
