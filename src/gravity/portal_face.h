@@ -55,8 +55,8 @@ class PortalFace {
   /// of the polygon, behind it of the rim. Between edges equally near the lower index wins.
   [[nodiscard]] Feature nearest(Vec3d local) const;
 
-  /// Whether `local` lies right behind the polygon, so that the rim is nearest: what goes on through
-  /// the plane has the polygon before it at once.
+  /// Whether `local` lies right behind the polygon, so that the rim is nearest: what goes on
+  /// through the plane has the polygon before it at once.
   [[nodiscard]] bool is_behind(Vec3d local) const {
     return local.z < -tolerance_ && covers(local.x, local.y);
   }
