@@ -125,8 +125,10 @@ TEST_P(CrowdsIn, LanesLandWhereTheScalarEngineHasThem) {
     const Errors scalar(by_scalar(space, photons), exact);
     const Errors lanes(in_lanes(space, photons, lane_engine().name), exact);
     EXPECT_LE(lanes.unlike, 2 * scalar.unlike + 2);
-    // The scalar engine takes most ways through a thick crowd again, in finer steps.
-    EXPECT_LT(lanes.at(0.5), 3.0 * scalar.at(0.5) + 5e-6);
+    // Of a thick crowd the scalar engine takes most ways again, in finer steps. In one go its
+    // median is 8e-6.
+    const double in_one_go = kind.spheres >= 10.0 ? 8e-6 : 0.0;
+    EXPECT_LT(lanes.at(0.5), std::max(3.0 * scalar.at(0.5) + 2e-6, in_one_go));
     EXPECT_LT(lanes.at(0.9), 4.0 * scalar.at(0.9) + 1e-5);
   }
 }
