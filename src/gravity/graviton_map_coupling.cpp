@@ -67,7 +67,8 @@ Pull GravitonMapCoupling::pull(Vec3d x, Vec3d anchor) const {
   Pull total;
   Draw draw;
   for (std::uint32_t a = 0; a < grids_.size(); ++a) {
-    if (!draws(a, anchor, draw)) continue;
+    // Where nothing is drawn no feature is decided: its place on the grid would mean nothing.
+    if (!draws(a, anchor, draw) || draw.kind == GravitonGrid::Kind::empty) continue;
     const PortalFace& face = exact_.face(a);
     const Vec3d place = face.place(draw.feature, face.frame().to_local(x));
     const bool frozen = draw.kind == GravitonGrid::Kind::sharp;

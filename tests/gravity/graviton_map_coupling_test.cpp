@@ -80,6 +80,26 @@ TEST(GravitonMapCoupling, DecidesAtLinesOnlyWhereTheirKinksCouldBeFelt) {
   }
 }
 
+TEST(GravitonMapCoupling, PullsNowhereWhileItDecidesThatNothingActs) {
+  Random random(36);
+  int far_off = 0;
+  for (int round = 0; round < scaled(20); ++round) {
+    PortalScene scene = smooth_scene(random);
+    // An influence that covers a part of the face.
+    scene.masses[0].influence = length(scene.masses[0].center - scene.portals[1].frame.origin);
+    const GravitonMapCoupling coupling(scene.input(1, 33));
+    for (int i = 0; i < 100; ++i) {
+      const Vec3d anchor = scene.portals[0].frame.origin + random.point(2.0);
+      if (coupling.signature(anchor) != 0) continue;
+      // Such a step may run on past the rim, where the point that was nearest is no longer.
+      const Vec3d x = anchor + random.point(2.0);
+      far_off += coupling.pull(x, x).acceleration != Vec3d{};
+      EXPECT_EQ(coupling.pull(x, anchor).acceleration, Vec3d{});
+    }
+  }
+  EXPECT_GT(far_off, 0);
+}
+
 TEST(GravitonMapCoupling, HasNoSharpCellWithinItsCalm) {
   // Nodes of a random field that is even but for some.
   Random random(35);
