@@ -16,6 +16,12 @@ namespace {
 constexpr float widening = 1.1f;
 /// How often a piece of a beam is halved that comes near an obstacle.
 constexpr int most_halvings = 5;
+/// How far off a border may still be felt, in radii of the beam: as far as the guides lie that the
+/// light between the trails is told by.
+constexpr double border_reach = 3.0;
+/// Where light turns by fewer tolerances more than light that stays out, a border is smooth enough:
+/// a polynomial through its neighbours errs by a twentieth of that.
+constexpr double least_felt = 20.0;
 
 Reached reached(const Waypoint& point) {
   static_assert(offsetof(Waypoint, place) == 0 && offsetof(Waypoint, length) == 12);
@@ -295,45 +301,63 @@ bool BeamGuard::touches(const Piece& piece, const Obstacle& obstacle) {
               most_halvings);
 }
 
-bool BeamGuard::along_border(std::span<const Piece> beam) const {
+bool BeamGuard::along_border(std::span<const Piece> beam, bool escapes) const {
   for (std::size_t begin = 0; begin < beam.size();) {
     std::size_t end = begin;
     while (!beam[end++].last) continue;
     const auto stretch = beam.subspan(begin, end - begin);
+    float widest = 0.0f;
+    for (const Piece& piece : stretch) widest = std::max(widest, piece.radius());
+    const bool runs_off = escapes && end == beam.size();
     for (const Mass& mass : space_->masses)
-      if (std::isfinite(mass.influence) && mass.gm != 0.0 &&
-          along_sphere(stretch, mass.center, mass.influence))
-        return true;
+      if (is_felt(mass, widest) && along_sphere(stretch, mass, widest, runs_off)) return true;
     begin = end;
   }
   return false;
 }
 
-/// Whether a sphere might be entered by some of the light, and not by all.
-bool BeamGuard::along_sphere(std::span<const Piece> stretch, Vec3d center, double radius) {
-  float widest = 0.0f;
-  for (const Piece& piece : stretch) widest = std::max(widest, piece.radius());
-  // Mostly it begins far within.
-  const double within = radius - 2.0 * widest;
-  const auto square_to = [&](Reached place) {
-    return dot(place_of(place) - center, place_of(place) - center);
+/// Whether it could be felt that light enters an influence, or does not, no further from its border
+/// than the guides of a beam of that radius lie.
+bool BeamGuard::is_felt(const Mass& mass, double widest) const {
+  const double radius = mass.influence;
+  if (std::isinf(radius) || mass.gm == 0.0) return false;
+  const double depth = (border_reach + 1.0) * widest, inner = radius - depth;
+  if (inner <= 0.0) return true;
+  const double chord = 2.0 * std::sqrt(2.0 * radius * depth), c = space_->physics.c;
+  return std::fabs(mass.gm) * chord >
+         least_felt * space_->physics.tolerance * c * c * inner * inner;
+}
+
+/// Whether the border of an influence might be entered by some of the light, and not by all; or
+/// the light begins or ends beside it, so that some has been within for a while.
+bool BeamGuard::along_sphere(std::span<const Piece> stretch, const Mass& mass, double widest,
+                             bool runs_off) {
+  const double radius = mass.influence;
+  const auto distance_to = [&](Reached place) { return length(place_of(place) - mass.center); };
+  const auto beside = [&](double distance, double wide) {
+    return std::fabs(distance - radius) <= border_reach * wide;
   };
-  if (within > 0.0 && square_to(stretch[0].from) < within * within) return false;
+  const double begins = distance_to(stretch.front().from);
+  if (beside(begins, stretch.front().from_radius)) return true;
+  if (!runs_off && beside(distance_to(stretch.back().to), stretch.back().to_radius)) return true;
+  // Mostly it begins far within.
+  if (begins < radius - border_reach * widest) return false;
   double least = std::numeric_limits<double>::infinity(), wide = 0.0;
   for (const Piece& piece : stretch) {
     const double reach = least + piece.reach;
-    if (square_to((piece.from + piece.to) * 0.5f) >= reach * reach) continue;
-    const Vec3d nearest = closest_on_segment(place_of(piece.from), place_of(piece.to), center);
-    const double distance = length(nearest - center);
+    const Vec3d middle = place_of((piece.from + piece.to) * 0.5f) - mass.center;
+    if (dot(middle, middle) >= reach * reach) continue;
+    const Vec3d nearest = closest_on_segment(place_of(piece.from), place_of(piece.to), mass.center);
+    const double distance = length(nearest - mass.center);
     if (distance < least) least = distance, wide = piece.radius();
   }
-  return std::fabs(least - radius) <= 2.0 * wide;
+  return beside(least, wide);
 }
 
 bool BeamGuard::clear(const std::array<const Trail*, 4>& trails, const Arrival& end) const {
   const Beam beam(trails);
   const std::span<const Piece> pieces = beam.pieces();
-  if (along_border(pieces)) return false;
+  if (along_border(pieces, end.fate == Fate::escaped)) return false;
   for (const Obstacle& obstacle : obstacles_)
     for (const Piece& piece : pieces)
       if (!apart(piece, obstacle) && !met(obstacle, piece, pieces.back(), *trails[0], end) &&

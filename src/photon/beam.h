@@ -83,9 +83,11 @@ class BeamGuard {
                             const Arrival& end) const;
   [[nodiscard]] static bool apart(const Piece& piece, const Obstacle& obstacle);
   [[nodiscard]] static bool touches(const Piece& piece, const Obstacle& obstacle);
-  [[nodiscard]] bool along_border(std::span<const Piece> beam) const;
-  [[nodiscard]] static bool along_sphere(std::span<const Piece> stretch, Vec3d center,
-                                         double radius);
+  /// @param escapes  whether it runs off to the sky in the end
+  [[nodiscard]] bool along_border(std::span<const Piece> beam, bool escapes) const;
+  [[nodiscard]] bool is_felt(const Mass& mass, double widest) const;
+  [[nodiscard]] static bool along_sphere(std::span<const Piece> stretch, const Mass& mass,
+                                         double widest, bool runs_off);
 
   const Space* space_;
   std::vector<Obstacle> obstacles_;

@@ -24,6 +24,10 @@ Vec3d unit(Vec3d a) {
 /// moves no light.
 constexpr float turning_counts = 1.0f / 4.0f;
 
+/// The largest third difference of directions, in tolerances: beside where influences begin, as
+/// beside a square root's zero, a fortieth of it is what the polynomial errs by.
+constexpr double most_in_tolerances = 400.0;
+
 /// How much rougher what is absorbed may be.
 constexpr double absorbed_may_differ = 8.0;
 
@@ -75,7 +79,9 @@ double Bicubic::through(const Space& space, const Guides& guides, const PixelSpa
   const double turned = std::sqrt(largest_third(
       [&](std::size_t n) { return values[n].turn; },
       [&](Four third) { return square(third) + turning_counts * third[3] * third[3]; }));
-  double roughness = turned / (most * (pixel.angle + pixel.aside / space.extent));
+  const double most_turn = std::min(most * (pixel.angle + pixel.aside / space.extent),
+                                    most_in_tolerances * space.physics.tolerance);
+  double roughness = turned / most_turn;
   // Nothing is told of those but that they are absorbed; light may pass where they differ much.
   if (model.fate == Fate::absorbed) return roughness / absorbed_may_differ;
   if (!(roughness <= given_up)) return roughness;

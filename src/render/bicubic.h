@@ -36,7 +36,7 @@ class Bicubic {
 
   /// Puts the polynomial through the guides, if it may be used: if their third differences are no
   /// larger than those of a function that is such a polynomial but for hundredths of a pixel.
-  /// @param most  third difference, pixels
+  /// @param most  third difference, pixels; of directions also no more than the tolerance allows
   /// @return the largest one, as a multiple of `most`; beyond `given_up` some that is not smaller
   /// @pre the guides met the same, and `can_tell` says so of them
   double through(const Space& space, const Guides& guides, const PixelSpan& pixel, double most,

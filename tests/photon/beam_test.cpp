@@ -194,6 +194,36 @@ TEST(BeamGuard, SeesThatLightSkimsOverThePlaneItEndsOn) {
   EXPECT_FALSE(clear_to_ground({{10, 2.1, 8}, {18, 0.05, 8}, {20, 0.4, 8}, {22, 0.0, 8}}));
 }
 
+/// What the guard says of four straight ways, a hundredth aside of each other, that pass through an
+/// influence of radius 5 and end there.
+/// @param pull  of the mass at that radius, divided by what turns light by a radian a length
+bool clear_through_influence(double end, double pull, Fate fate) {
+  Physics physics = physics_with(1e-4, 0.5);
+  Mass mass = mass_at({0, 0, 0}, pull * 25.0 * physics.c * physics.c, physics);
+  mass.influence = 5.0;
+  mass.horizon = false;
+  const Space space = space_with(physics, {mass}, {}, {});
+  std::array<Trail, 4> trails;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (const double x : {-12.0, 0.0, end})
+      trails[i].pass({x, 3.0, 0.01 * static_cast<double>(i)}, x + 12.0, 0.0);
+  Arrival arrival;
+  arrival.fate = fate;
+  return BeamGuard::over(space)->clear({&trails[0], &trails[1], &trails[2], &trails[3]}, arrival);
+}
+
+TEST(BeamGuard, SeesThatLightEndsWhereAnInfluenceDoes) {
+  for (const double end : {3.98, 4.0, 4.02})
+    EXPECT_FALSE(clear_through_influence(end, 0.01, Fate::hit)) << end;
+  for (const double end : {3.8, 4.2})
+    EXPECT_TRUE(clear_through_influence(end, 0.01, Fate::hit)) << end;
+  EXPECT_TRUE(clear_through_influence(4.0, 0.01, Fate::escaped)) << "it goes on";
+}
+
+TEST(BeamGuard, TakesNoNoticeOfABorderThatTurnsNoLight) {
+  EXPECT_TRUE(clear_through_influence(4.0, 1e-4, Fate::hit));
+}
+
 TEST(BeamGuard, LetsMostBeamsThrough) {
   const Space space = space_of();
   Random random(23);
