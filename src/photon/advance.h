@@ -206,6 +206,7 @@ class Tracer {
   bool step() {
     double h = proposed_length();
     Curve curve = try_step(h);
+    bool rough = false;
     if constexpr (!I::fixed_step) {
       double roughness = roughness_of(h);
       while (roughness > I::roughest && h > shortest()) {
@@ -222,6 +223,7 @@ class Tracer {
         roughness = roughness_of(h);
       }
       travel_.drift.pass(h, bending_.gradient, tolerance_ * roughness);
+      rough = roughness > I::smooth;
     }
     // Where a pull has no bound. Nothing is met on a way that is no number.
     if (!is_finite(end_.position) || !is_finite(end_.direction)) return end(Fate::lost);
@@ -233,7 +235,11 @@ class Tracer {
       return absorb(swallowed->mass);
     }
     if (met) {
+      // Within a step a path is not as exact as at its end: where that counts, it is gone again.
+      const bool again = rough && met->distance < h;
+      if (again) (void)try_step(met->distance);
       arrive_at(curve, met->distance);
+      if (again) travel_.state.direction = end_.direction;
       return encounter(*met);
     }
     move_on(end_, h, curve.turning(h));

@@ -26,6 +26,6 @@ struct Drift {
 /// A way that has drifted by more tolerances than that is taken again, in finer steps; and of one
 /// that has drifted by more in lanes, the scalar engine is asked. Nearly all drift by far less than
 /// they may. Measured on random scenes (docs/differential.md).
-inline constexpr double trusted_drift = 20.0, trusted_drift_in_lanes = 400.0;
+inline constexpr double trusted_drift = 40.0, trusted_drift_in_lanes = 150.0;
 
 }  // namespace portalens

@@ -174,6 +174,7 @@ void add_nodes(const GravitonGrid& grid, double inverse_c2, LanePlan& plan) {
                                     std::min(j, grid.count_y() - 2)};
       put(plan.map_cells, grid.nearness(cell));
       put(plan.map_cells, grid.to_sharp(cell));
+      put(plan.map_cells, std::min(grid.gradient(cell) * inverse_c2, 1e30));
     }
 }
 
@@ -203,13 +204,13 @@ float most_nearness(const Space& space, std::uint32_t portal) {
     const LaneFace face = face_of(portals[a], plan.center, reach);
     plan.scene.maps[plan.scene.map_count++] =
         map_of(coupling.grid(a), face, most_nearness(space, a));
-    first.push_back(plan.map_cells.size() / 2);
+    first.push_back(plan.map_cells.size() / 3);
     add_nodes(coupling.grid(a), inverse_c2, plan);
   }
   // Now that the tables grow no more.
   for (std::size_t i = 0; i < first.size(); ++i) {
     plan.scene.maps[i].nodes = plan.map_nodes.data() + 4 * first[i];
-    plan.scene.maps[i].cells = plan.map_cells.data() + 2 * first[i];
+    plan.scene.maps[i].cells = plan.map_cells.data() + 3 * first[i];
   }
   return "";
 }

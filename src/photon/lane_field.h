@@ -325,9 +325,7 @@ struct LaneField {
           if (any(changed)) offer_borders(first, gate, feet[g], changed, seen_from(g, path), span);
           if (gate.parent < 0 || gate.falls_short)
             first.offer_ball(still, acts, R(gate.reach), reaches, gap, span, [&] {
-              const LocalPath<R> seen_path = seen_from(g, path), led = foot.led_by(seen_path);
-              return LaneSquare<R>{seen_path.x - led.x, seen_path.y - led.y, seen_path.z,
-                                   R(gate.reach2)};
+              return LaneApart<R, LaneGate, Foot>{gate, seen_from(g, path), feet[g], acts};
             });
         }
         for (int i = 0; i < scene.mass_count; ++i) {

@@ -36,25 +36,24 @@ class LaneGravitonMap {
       low_y_[k] = R(map.low_y) + (cell.j - back) * R(map.spacing_y);
       high_y_[k] = R(map.low_y) + (cell.j + on) * R(map.spacing_y);
       nearness_[k] = cell.nearness * acts_[k];
+      gradient_[k] = cell.gradient * acts_[k] * feet_[k].moves();
       bound_ = bound_ | (near & (cell.nearness > R(map.most_nearness)));
     }
   }
   [[nodiscard]] Mask acting() const { return acting_; }
 
   void add_to(LaneBending<R>& sum, Vec3<R> x, Vec3<R> t) const {
-    R slowness[most_lane_portals], moving(0);
+    R slowness[most_lane_portals];
     for (int k = 0; k < scene_.map_count; ++k) {
       const LaneFace& face = scene_.maps[k].face;
       const Vec3<R> way = to_axes(t, face.right, face.up, face.normal);
       slowness[k] = slowness_of(feet_[k].keep_x * way.x, feet_[k].keep_y * way.y);
       sum.nearness = sum.nearness + nearness_[k] * slowness[k];
-      moving = multiply_add(nearness_[k], feet_[k].moves(), moving);
+      sum.gradient = sum.gradient + gradient_[k];
     }
     const Found found = look_up(x, [&](int k) { return slowness[k]; });
     sum.acceleration += found.acceleration;
     sum.stiffness = sum.stiffness + found.stiffness;
-    const R pull = sqrt(dot(found.acceleration, found.acceleration));
-    sum.gradient = multiply_add(R(2) * pull, sqrt(sqrt(moving)), sum.gradient);
   }
 
   [[nodiscard]] Vec3<R> acceleration(Vec3<R> x) const {
@@ -113,8 +112,8 @@ class LaneGravitonMap {
                       span);
         }
         first.offer_ball(still, acts, sqrt(R(face.reach2)), squares, gap, span, [&] {
-          const LocalPath<R> seen = LocalPath<R>::over(face, path), led = foot.led_by(seen);
-          return LaneSquare<R>{seen.x - led.x, seen.y - led.y, seen.z, R(face.reach2)};
+          return LaneApart<R, LaneFace, LaneFoot<R>>{face, LocalPath<R>::over(face, path), feet_[m],
+                                                     acts};
         });
       }
     }
@@ -144,7 +143,7 @@ class LaneGravitonMap {
   };
 
   struct Cell {
-    R i, j, nearness, to_sharp;
+    R i, j, nearness, to_sharp, gradient;
   };
   struct Found {
     Vec3<R> acceleration;
@@ -152,16 +151,18 @@ class LaneGravitonMap {
   };
 
   [[nodiscard]] static Cell cell_of(const LaneMap& map, const Spot& spot) {
-    alignas(64) float is[R::lanes], js[R::lanes], nearness[R::lanes], to_sharp[R::lanes];
+    alignas(64) float is[R::lanes], js[R::lanes], nearness[R::lanes], to_sharp[R::lanes],
+        gradient[R::lanes];
     for (int lane = 0; lane < R::lanes; ++lane) {
       const int i = static_cast<int>(spot.held_u[lane]), j = static_cast<int>(spot.held_v[lane]);
-      const float* cell = map.cells + 2 * (j * map.row + i);
+      const float* cell = map.cells + 3 * (j * map.row + i);
       is[lane] = static_cast<float>(i);
       js[lane] = static_cast<float>(j);
       nearness[lane] = cell[0];
       to_sharp[lane] = cell[1];
+      gradient[lane] = cell[2];
     }
-    return {R::load(is), R::load(js), R::load(nearness), R::load(to_sharp)};
+    return {R::load(is), R::load(js), R::load(nearness), R::load(to_sharp), R::load(gradient)};
   }
 
   /// The sum over all maps, the stiffness of each times its weight. Lane by lane: what one needs of
@@ -194,7 +195,7 @@ class LaneGravitonMap {
   const LaneScene& scene_;
   LaneFoot<R> feet_[most_lane_portals];
   R acts_[most_lane_portals];  ///< 1 within reach, else 0
-  R nearness_[most_lane_portals];
+  R nearness_[most_lane_portals], gradient_[most_lane_portals];
   R low_x_[most_lane_portals], high_x_[most_lane_portals];
   R low_y_[most_lane_portals], high_y_[most_lane_portals];
   Mask acting_, bound_;

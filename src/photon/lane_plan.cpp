@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/words.h"
+#include "gravity/bound_light.h"
 #include "photon/drift.h"
 #include "photon/lane_couplings.h"
 #include "photon/lane_shapes.h"
@@ -114,14 +115,11 @@ void add_portals(const Space& space, Vec3d center, LaneScene& scene) {
       added = outline_of(portal);
       if (!is_rectangle(portal)) outline = &added;
     }
-    lane = {narrow(portal.frame.origin - center),
-            narrow(portal.frame.right),
-            narrow(portal.frame.up),
-            narrow(portal.frame.normal),
-            static_cast<float>(extent.half_width),
-            static_cast<float>(extent.half_height),
-            outline,
-            static_cast<float>(portal.height_tolerance()),
+    lane = {narrow(portal.frame.origin - center), narrow(portal.frame.right),
+            narrow(portal.frame.up), narrow(portal.frame.normal),
+            static_cast<float>(extent.half_width), static_cast<float>(extent.half_height), outline,
+            // Floats may put a step's end behind a plane that it has not reached yet.
+            static_cast<float>(std::max(portal.height_tolerance(), 1e-7 * space.extent)),
             portal.has_back() ? 1.0f : 0.0f,
             LanePlan::departed_from(space.portals.plane_of(i).plane),
             static_cast<float>(space.portals.plane_of(i).side)};
@@ -331,13 +329,30 @@ std::string physics_refusal(const Space& space) {
   return "";
 }
 
+/// The strongest pull that begins, ends or turns at once, length/time²: that of a mass where its
+/// influence ends; what comes through a portal where the portal's reach ends, or where it comes
+/// along another way.
+double strongest_onset(const Space& space) {
+  double strongest = space.physics.min_force;
+  const bool none = std::holds_alternative<NoCoupling>(space.coupling) ||
+                    std::holds_alternative<PortalMassCoupling>(space.coupling);
+  if (none) return strongest;
+  for (const Portal& mouth : space.mouths)
+    for (const Mass& mass : space.masses) {
+      const double distance = felt_from(space.mouths[mouth.pair], mass);
+      if (distance < mass.influence)
+        strongest = std::max(strongest, mass.gm / (distance * distance));
+    }
+  return strongest;
+}
+
 /// How far past a border a step ends: so far that floats know it from the border, but no further
 /// than what the pull that begins or ends there turns a way by meanwhile is nothing beside the
 /// tolerance.
 double overshoot_for(const Space& space, double ahead) {
   const Physics& physics = space.physics;
-  const double pull = physics.min_force / (physics.c * physics.c);
-  return std::clamp(0.03 * physics.tolerance / pull, 0.1 * ahead, ahead);
+  const double bend = strongest_onset(space) / (physics.c * physics.c);
+  return std::clamp(0.03 * physics.tolerance / bend, 0.1 * ahead, ahead);
 }
 
 void set_steps(const Space& space, bool looks_through, double ahead, LanePlan& plan) {

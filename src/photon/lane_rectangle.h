@@ -167,6 +167,34 @@ struct LocalPath {
   }
 };
 
+/// The square of the distance, along a path, from a face, less that of its reach: from the held
+/// feature where it acts, else from the nearest, whichever that is there.
+template <class R, class Face, class Foot>
+struct LaneApart {
+  const Face& face;  ///< has `reach2`
+  LocalPath<R> path;
+  const Foot& held;
+  typename R::Mask acts;
+
+  [[nodiscard]] R at(R u) const {
+    const Vec3<R> from = from_face(u);
+    return dot(from, from) - R(face.reach2);
+  }
+  [[nodiscard]] R slope(R u) const {
+    const Vec3<R> way{path.x.slope(u), path.y.slope(u), path.z.slope(u)};
+    // What its nearest point moves by is at right angles to that.
+    return R(2) * dot(from_face(u), way);
+  }
+
+ private:
+  [[nodiscard]] Vec3<R> from_face(R u) const {
+    const Vec3<R> local{path.x.at(u), path.y.at(u), path.z.at(u)};
+    Foot foot = held;
+    if (any(!acts)) foot.take(!acts, Foot::on(face, local));
+    return {local.x - foot.x(local), local.y - foot.y(local), local.z};
+  }
+};
+
 /// The first place on a step's path where what acts changes.
 template <class R>
 struct FirstMeeting {

@@ -148,8 +148,8 @@ struct LaneMap {
   float most_nearness;
   /// Four for each node: the acceleration over c², and the stiffness over c².
   const float* nodes;
-  /// Two for the cell to the upper right of each node: the nearness, and how many cells further on
-  /// steps must end (`to_sharp`).
+  /// Three for the cell to the upper right of each node: the nearness, how many cells further on
+  /// steps must end (`to_sharp`), and the gradient over c².
   const float* cells;
 };
 
@@ -158,9 +158,9 @@ struct LanePortal {
   LaneVec origin, right, up, normal;
   float half_width, half_height;  ///< of what holds it, about its origin
   const LaneOutline* outline;     ///< null if it is a rectangle
-  float tolerance;
-  float back;    ///< 1 if light that comes from behind meets it, else 0
-  float leaves;  ///< what `departed` says of lanes that have left its plane,
+  float tolerance;                ///< heights down to minus this count as in front
+  float back;                     ///< 1 if light that comes from behind meets it, else 0
+  float leaves;                   ///< what `departed` says of lanes that have left its plane,
   float facing;  ///< and 1 where its normal is that plane's, -1 where it is opposite
 };
 

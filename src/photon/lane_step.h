@@ -54,7 +54,8 @@ class LaneStepper {
     const Mask flies = !field.acting;
     const R most = min(longest(x, start, flies), select(flies, R(never), read(lanes_.longest)));
     const R border = field.boundary(x, t, bend, most);
-    R h = min(most, border + R(scene_.overshoot));
+    // What is decided holds from slightly ahead on: a border nearer than that is past.
+    R h = min(most, max(border + R(scene_.overshoot), R(scene_.ahead)));
     // Scenes without lone masses pay for a branch.
     const bool has_lone = scene_.lone_count > 0;
     LaneCrossing<R> lone(scene_);
@@ -98,7 +99,15 @@ class LaneStepper {
     find_change(path, field, live & !(flies | again | resigns | (doubtful > R(0))), found,
                 doubtful);
     const Mask consults = live & (doubtful > R(0)) & !(again | resigns);
-    const Mask ends = (found.share <= R(1)) & live & !(consults | again | resigns);
+    Mask ends = (found.share <= R(1)) & live & !(consults | again | resigns);
+    // Within a step a path is not as exact as at its end: where that counts, it is gone again.
+    const Mask cut = ends & !flies & (roughness > R(Radau::smooth)) & (found.share < R(0.98)) &
+                     !(found.event == code(LaneEvent::horizon));
+    if (any(cut)) {
+      next = select(cut, h * found.share * R(1.002), next);
+      again = again | cut;
+      ends = ends & !cut;
+    }
     Mask escapes =
         live & flies & (border >= R(never)) & !(found.share <= R(1)) & !(consults | resigns);
     if (has_lone) {
@@ -143,7 +152,8 @@ class LaneStepper {
     const Mask drifts = drift(stays, length, span(x1), start.gradient,
                               R(scene_.tolerance) * select(flies, R(0), roughness));
     write(lanes_.clear, stays, read(lanes_.clear), clear);
-    write(lanes_.departed, stays, read(lanes_.departed), R(-1));
+    // After a short step a plane may still be as near as rounding.
+    write(lanes_.departed, stays | (length < R(8) * R(scene_.ahead)), read(lanes_.departed), R(-1));
     const Mask within = (travelled <= R(scene_.max_length)) & (turning <= R(scene_.max_turning)) &
                         (steps <= R(scene_.max_steps));
     R event = select(live & !again & !within, code(LaneEvent::limit), R(0));
@@ -259,11 +269,14 @@ class LaneStepper {
       R z0 = dot(path.place.c0 - origin, normal);
       const R z1 = dot(end.position - origin, normal);
       // What has just left its plane may lie a float's rounding on the other side of it.
-      if (leaves)
-        z0 = select(departed == R(portal.leaves), side * R(2.0f * portal.facing * portal.tolerance),
-                    z0);
-      Mask crosses = (z0 >= R(-portal.tolerance)) & (z1 < R(0)) & (z1 < z0);
-      if (portal.back > 0.0f) crosses = crosses | ((z0 < R(0)) & (z1 >= R(0)));
+      R slack(0);
+      if (leaves) {
+        const Mask leaving = departed == R(portal.leaves);
+        z0 = select(leaving, side * R(2.0f * portal.facing * portal.tolerance), z0);
+        slack = select(leaving, R(portal.tolerance), slack);
+      }
+      Mask crosses = (z0 >= R(-portal.tolerance)) & (z1 < -slack) & (z1 < z0);
+      if (portal.back > 0.0f) crosses = crosses | ((z0 < R(0)) & (z1 >= slack));
       if (!any(crosses)) continue;
       const R u =
           crossing(crosses, path.height(z0, normal), max(z0, R(0)) / select(crosses, z0 - z1, R(1)),
