@@ -2,6 +2,9 @@
 /// `shortest-path` over lanes, for chains of one rectangular portal.
 #pragma once
 
+#include <algorithm>
+#include <utility>
+
 #include "gravity/way_formulas.h"
 #include "photon/lane_field.h"
 #include "photon/lane_rectangle.h"
@@ -23,6 +26,7 @@ class LaneShortestPath {
       for (int i = entrance.first; i < entrance.end; ++i) {
         const Passage passage = shortest(entrance.face, scene_.ways[i], local);
         passed_[i] = passage.code;
+        began_[i] = passage.margin;
         acting_ = acting_ | (passage.code > R(0));
         freeze(scene_.ways[i], passage, held_[i]);
       }
@@ -70,16 +74,55 @@ class LaneShortestPath {
     return select(changed, bad, R(never));
   }
 
-  /// As in `LaneField`: by halving, as `boundary`.
+  /// As in `LaneField`: by halving, as `boundary`. Where what is the same at two looks may have
+  /// been another between them, there is one look more.
   void find_changes(FirstMeeting<R>& first, Mask which, const LanePath<R>& path, R over) const {
     const LaneLooks<R> looks(path, over);
     R good(0), bad(2);
     Mask changed = R(1) < R(0);
+    Margin before[most_lane_ways], after[most_lane_ways];
+    std::copy_n(began_, most_lane_ways, before);
     for (int k = 1; k < LaneLooks<R>::count; ++k) {
-      const Mask now = which & !changed & differs(looks.place[k]);
-      bad = select(now, looks.share[k], bad);
+      const Mask still = which & !changed;
+      if (!any(still)) break;
+      const LaneSpan<R> span = looks.before(k);
+      R found = select(differs(looks.place[k], after), span.high, R(2));
+      for (int e = 0; e < scene_.entrance_count; ++e) {
+        const LaneEntrance& entrance = scene_.entrances[e];
+        const Vec3<R> from = local_in(entrance.face, looks.place[k - 1]);
+        const Vec3<R> to = local_in(entrance.face, looks.place[k]);
+        for (int i = entrance.first; i < entrance.end; ++i) {
+          const auto passage_at = [&](R u) {
+            return shortest(entrance.face, scene_.ways[i],
+                            local_in(entrance.face, path.place.at(u)));
+          };
+          const auto tell = [&](Mask where, R u) { found = select(where, min(found, u), found); };
+          const Margin &a = before[i], &b = after[i];
+          const Mask out = !(passed_[i] > R(0));
+          seek(still & out, span, a.beyond, b.beyond, path.h, [&](Mask may, R u) {
+            const Passage passage = passage_at(u);
+            tell(may & (passage.code > R(0)), u);
+            return passage.margin.beyond;
+          });
+          seek(still & (passed_[i] > R(1)), span, a.lead, b.lead, R(2) * path.h,
+               [&](Mask may, R u) {
+                 const Passage passage = passage_at(u);
+                 const Mask other = may & !(passage.code == passed_[i]);
+                 tell(other, u);
+                 return select(other, R(0), passage.margin.lead);
+               });
+          const LaneSpan<R> open = open_between(entrance.face, scene_.ways[i], from, to);
+          const Mask may = still & !(passed_[i] == R(1)) & (open.low < open.high);
+          if (!any(may)) continue;
+          const R u = multiply_add(span.high - span.low, (open.low + open.high) * R(0.5), span.low);
+          tell(may & !(passage_at(u).code == passed_[i]), u);
+        }
+      }
+      const Mask now = still & (found <= R(1));
+      bad = select(now, found, bad);
       changed = changed | now;
-      good = select(changed, good, looks.share[k]);
+      good = select(changed, good, span.high);
+      std::swap(before, after);
     }
     if (!any(changed)) return;
     for (int k = 0; k < halvings; ++k) {
@@ -109,13 +152,20 @@ class LaneShortestPath {
   static constexpr bool sees_borders_far_off = false;
 
  private:
-  static constexpr int halvings = 10;
+  static constexpr int halvings = 14, seeks = 4;
 
+  /// How far a passage is from another: lengths, which change by no more than the place does, and
+  /// by twice that.
+  struct Margin {
+    R beyond;  ///< how much longer than the influence it is
+    R lead;    ///< how much shorter than that over another feature of the rim
+  };
   /// How a way passes the rim: over the edge along x or y on the line at `side`, or over a vertex.
   struct Passage {
     R code;  ///< 0: out of reach, 1: straight, else one number for each feature
     R along_x, side, place;
     R slides;  ///< 1 inside of the edge, 0 at a vertex
+    Margin margin;
   };
   /// What of a passage stays frozen.
   struct Held {
@@ -128,8 +178,8 @@ class LaneShortestPath {
     const R w(face.half_width), h(face.half_height);
     const Vec3<R> b = spread<R>(way.image);
     // Over each edge in turn, below, right, above, left.
-    Passage best{R(0), R(1), R(0), R(0), R(0)};
-    R least(way.influence);
+    Passage best{R(0), R(1), R(0), R(0), R(0), {R(0), R(0)}};
+    R least(never), second(never), feature(0);
     for (int k = 0; k < 4; ++k) {
       const bool along_x = k % 2 == 0;
       const R half = along_x ? w : h;
@@ -143,8 +193,11 @@ class LaneShortestPath {
       // Vertices count from the lower left; the first of edge 0 is 0, its last is 1, and so on.
       const int first = k < 2 ? k : (k == 2 ? 3 : 0), last = k < 2 ? k + 1 : (k == 2 ? 2 : 3);
       const R code = select(low, R(6 + first), select(high, R(6 + last), R(2 + k)));
+      // A vertex is met along two edges.
+      const R longer = select(better, least, found.length);
+      second = select(code == feature, second, min(second, longer));
       least = select(better, found.length, least);
-      best.code = select(better, code, best.code);
+      feature = select(better, code, feature);
       best.along_x = select(better, R(along_x ? 1 : 0), best.along_x);
       best.side = select(better, side, best.side);
       best.place = select(better, found.place - half, best.place);
@@ -152,9 +205,58 @@ class LaneShortestPath {
     }
     const Vec3<R> to = b - a;
     const Mask open = straight_through(face, a, b);
-    const Mask near = dot(to, to) < R(way.influence) * R(way.influence);
-    best.code = select(open, select(near, R(1), R(0)), best.code);
+    const R influence(way.influence), direct = dot(to, to),
+                                      length = select(open, sqrt(direct), least);
+    const Mask near = (open & (direct < influence * influence)) | ((!open) & (least < influence));
+    best.code = select(near, select(open, R(1), feature), R(0));
+    best.margin = {length - influence, second - least};
     return best;
+  }
+
+  /// Which part of the way from a to b, as shares, lies where the image is seen through the face:
+  /// before it, within the pyramid over it whose top is the image. Nothing where low >= high.
+  [[nodiscard]] static LaneSpan<R> open_between(const LaneFace& face, const LaneWay& way, Vec3<R> a,
+                                                Vec3<R> b) {
+    const Vec3<R> image = spread<R>(way.image);
+    LaneSpan<R> span{R(0), select(image.z <= R(face.tolerance), R(1), R(0))};
+    const auto keep = [&](R at_a, R at_b) {
+      const R zero = at_a / (at_a - at_b);
+      span.low = select(at_a < R(0), select(at_b < R(0), R(2), max(span.low, zero)), span.low);
+      span.high = select((at_b < R(0)) & (at_a >= R(0)), min(span.high, zero), span.high);
+    };
+    keep(a.z, b.z);
+    const R from_a = a.z - image.z, from_b = b.z - image.z;
+    const auto between = [&](R at_a, R at_b, R top, R half) {
+      const R aside_a = top * a.z - image.z * at_a, aside_b = top * b.z - image.z * at_b;
+      keep(half * from_a - aside_a, half * from_b - aside_b);
+      keep(half * from_a + aside_a, half * from_b + aside_b);
+    };
+    between(a.x, b.x, image.x, R(face.half_width));
+    between(a.y, b.y, image.y, R(face.half_height));
+    return span;
+  }
+
+  /// Looks where a margin that is positive at two places may vanish between them: first at the
+  /// bottom of the valley that it would fall into and come out of as steeply as it may.
+  /// @param slope  the most that it changes by over the whole step
+  /// @param at     the margin there
+  template <class At>
+  static void seek(Mask may, LaneSpan<R> span, R low, R high, R slope, const At& at) {
+    const auto bottom = [&](R a, R b, R width) { return a + b - slope * width; };
+    for (int i = 0; i < seeks; ++i) {
+      const R width = span.high - span.low;
+      may = may & (bottom(low, high, width) < R(0)) & (min(low, high) > R(0));
+      if (!any(may)) return;
+      const R u = span.low + min(max((low - high) / slope + width, R(0)) * R(0.5), width);
+      const R here = at(may, u);
+      // What is convex is least beside the lower of two neighbours.
+      const Mask deep = here < min(low, high);
+      const Mask deeper = bottom(low, here, u - span.low) < bottom(here, high, span.high - u);
+      const Mask before = (deep & deeper) | ((!deep) & (low < high));
+      span = {select(before, span.low, u), select(before, u, span.high)};
+      low = select(before, low, here);
+      high = select(before, here, high);
+    }
   }
 
   /// Whether the segment from a to b crosses the face from front to back.
@@ -178,15 +280,23 @@ class LaneShortestPath {
     held.place = passage.place;
   }
 
-  [[nodiscard]] Mask differs(Vec3<R> x) const {
+  /// @param margins  of each way, there
+  [[nodiscard]] Mask differs(Vec3<R> x, Margin* margins) const {
     Mask found = R(1) < R(0);
     for (int e = 0; e < scene_.entrance_count; ++e) {
       const LaneEntrance& entrance = scene_.entrances[e];
       const Vec3<R> local = local_in(entrance.face, x);
-      for (int i = entrance.first; i < entrance.end; ++i)
-        found = found | !(shortest(entrance.face, scene_.ways[i], local).code == passed_[i]);
+      for (int i = entrance.first; i < entrance.end; ++i) {
+        const Passage passage = shortest(entrance.face, scene_.ways[i], local);
+        found = found | !(passage.code == passed_[i]);
+        margins[i] = passage.margin;
+      }
     }
     return found;
+  }
+  [[nodiscard]] Mask differs(Vec3<R> x) const {
+    Margin margins[most_lane_ways];
+    return differs(x, margins);
   }
 
   /// What all ways add; `tell` hears of each.
@@ -229,6 +339,7 @@ class LaneShortestPath {
 
   const LaneScene& scene_;
   R passed_[most_lane_ways];
+  Margin began_[most_lane_ways];
   Held held_[most_lane_ways];
   Mask acting_;
 };
