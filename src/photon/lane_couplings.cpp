@@ -276,6 +276,20 @@ float bare2_of_way(const Space& space, const ShortestPathCoupling::Image& image,
 
 }  // namespace
 
+double strongest_onset(const Space& space) {
+  double strongest = space.physics.min_force;
+  const bool none = std::holds_alternative<NoCoupling>(space.coupling) ||
+                    std::holds_alternative<PortalMassCoupling>(space.coupling);
+  if (none) return strongest;
+  for (const Portal& mouth : space.mouths)
+    for (const Mass& mass : space.masses) {
+      const double distance = felt_from(space.mouths[mouth.pair], mass);
+      if (distance < mass.influence)
+        strongest = std::max(strongest, mass.gm / (distance * distance));
+    }
+  return strongest;
+}
+
 void add_masses_of_portals(const Space& space, Vec3d center, std::vector<LaneMass>& masses) {
   const auto* coupling = std::get_if<PortalMassCoupling>(&space.coupling);
   if (!coupling) return;

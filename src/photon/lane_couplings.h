@@ -9,6 +9,11 @@
 
 namespace portalens {
 
+/// The strongest pull that begins, ends or turns at once, length/time²: that of a mass where its
+/// influence ends; what comes through a portal where the portal's reach ends, or where it comes
+/// along another way.
+[[nodiscard]] double strongest_onset(const Space& space);
+
 /// Adds the portals that act as masses do.
 void add_masses_of_portals(const Space& space, Vec3d center, std::vector<LaneMass>& masses);
 

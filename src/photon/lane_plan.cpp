@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "core/words.h"
-#include "gravity/bound_light.h"
 #include "photon/drift.h"
 #include "photon/lane_couplings.h"
 #include "photon/lane_shapes.h"
@@ -327,23 +326,6 @@ std::string physics_refusal(const Space& space) {
   if (space.masses.size() > most_lane_crowd)
     return fmt::format("{} masses are there (lanes take {})", space.masses.size(), most_lane_crowd);
   return "";
-}
-
-/// The strongest pull that begins, ends or turns at once, length/time²: that of a mass where its
-/// influence ends; what comes through a portal where the portal's reach ends, or where it comes
-/// along another way.
-double strongest_onset(const Space& space) {
-  double strongest = space.physics.min_force;
-  const bool none = std::holds_alternative<NoCoupling>(space.coupling) ||
-                    std::holds_alternative<PortalMassCoupling>(space.coupling);
-  if (none) return strongest;
-  for (const Portal& mouth : space.mouths)
-    for (const Mass& mass : space.masses) {
-      const double distance = felt_from(space.mouths[mouth.pair], mass);
-      if (distance < mass.influence)
-        strongest = std::max(strongest, mass.gm / (distance * distance));
-    }
-  return strongest;
 }
 
 /// How far past a border a step ends: so far that floats know it from the border, but no further

@@ -75,7 +75,7 @@ class LaneShortestPath {
   }
 
   /// As in `LaneField`: by halving, as `boundary`. Where what is the same at two looks may have
-  /// been another between them, there is one look more.
+  /// been another between them, that is looked for there.
   void find_changes(FirstMeeting<R>& first, Mask which, const LanePath<R>& path, R over) const {
     const LaneLooks<R> looks(path, over);
     R good(0), bad(2);

@@ -8,6 +8,7 @@
 #include "photon/lane_crossing.h"
 #include "photon/lane_crowd.h"
 #include "photon/lane_field.h"
+#include "photon/lane_finding.h"
 #include "photon/lane_graviton_map.h"
 #include "photon/lane_outline.h"
 #include "photon/lane_path.h"
@@ -15,20 +16,6 @@
 #include "photon/lane_shortest_path.h"
 
 namespace portalens {
-
-/// The earliest event of a step so far.
-template <class R>
-struct LaneFinding {
-  R share{2.0};  ///< of the step; beyond 1: none
-  R event{0}, object{-1};
-
-  void offer(typename R::Mask found, R at, LaneEvent kind, R which) {
-    const auto earlier = found & (at < share);
-    share = select(earlier, at, share);
-    event = select(earlier, R(static_cast<int>(kind)), event);
-    object = select(earlier, which, object);
-  }
-};
 
 /// @tparam F  the field: `LaneField`, or what has its members
 template <class R, class F>
