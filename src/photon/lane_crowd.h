@@ -20,10 +20,15 @@ struct LaneCrowdField {
   R inside[most_lane_near];              ///< G M / c² where the influence holds, else 0
   /// From the step's start, as in `LaneField`; a mass that a lane does not list is far off.
   R squares[most_lane_near], along[most_lane_near];
+  R missed;  ///< `LaneAhead::missed` of the step
   typename R::Mask acting, lacks_room;
 
   explicit LaneCrowdField(const LaneScene& the_scene)
-      : scene(the_scene), crowd(the_scene.crowd), acting(R(1) < R(0)), lacks_room(R(1) < R(0)) {}
+      : scene(the_scene),
+        crowd(the_scene.crowd),
+        missed(0),
+        acting(R(1) < R(0)),
+        lacks_room(R(1) < R(0)) {}
 
   void decide(Vec3<R> x, Vec3<R> t) {
     LaneMarks<R> marks(crowd.count);
@@ -68,7 +73,7 @@ struct LaneCrowdField {
   }
 
   /// As of `LaneField`; what acts and what absorbs is left or entered there.
-  [[nodiscard]] R boundary(Vec3<R> x, Vec3<R> t, Vec3<R> bend, R limit) const {
+  [[nodiscard]] R boundary(Vec3<R> x, Vec3<R> t, Vec3<R> bend, R limit) {
     const R bend2 = dot(bend, bend);
     R least(never);
     for (int i = 0; i < count; ++i) {
@@ -78,8 +83,10 @@ struct LaneCrowdField {
                                              inward, bend2);
       least = min(least, select(within, leaves, R(never)));
     }
-    return min(least,
-               LaneCrowdGrid<R>(crowd, x, t, scene.ahead).first_entry(bend, min(least, limit)));
+    const LaneAhead<R> ahead =
+        LaneCrowdGrid<R>(crowd, x, t, scene.ahead).look_ahead(bend, min(least, limit));
+    missed = ahead.missed;
+    return min(least, ahead.entry);
   }
 
   /// Where the path leaves or enters a ball sooner than `boundary` has foreseen.
@@ -104,6 +111,10 @@ struct LaneCrowdField {
     const LaneBall<R> ball = grid.entered(which & acting, end);
     const auto entered = ball.radius2 > R(0);
     if (any(entered)) offer(entered, ball.center, ball.radius2, R(1));
+    // Where the path strays from its parabola it may graze a ball that this one passed by.
+    const R strays = span(path.place.c3) + span(path.place.c4) + span(path.place.c5);
+    const auto may_graze = which & acting & (strays > missed);
+    if (any(may_graze)) first.share = min(first.share, grid.first_entry(may_graze, path, over));
   }
 
   /// Nothing acts through portals.

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "photon/lane_border.h"
+#include "photon/lane_path.h"
 #include "photon/lane_rectangle.h"
 #include "photon/lane_scene.h"
 
@@ -55,6 +56,13 @@ struct LaneBall {
   R radius2;
 };
 
+/// What a way comes to.
+template <class R>
+struct LaneAhead {
+  R entry;   ///< how far it is to the next ball that it does not begin in, or `never`
+  R missed;  ///< at what distance it passes by balls, at the least
+};
+
 /// Ways through the grid.
 template <class R>
 class LaneCrowdGrid {
@@ -79,10 +87,9 @@ class LaneCrowdGrid {
     return R::load(lacking) > R(0);
   }
 
-  /// How far it is along the ways x + t s + bend s²/2 to the next ball that they don't lie in, or
-  /// `never`; what is farther than `limit` need not be found.
-  [[nodiscard]] R first_entry(V bend, R limit) const {
-    alignas(64) float bent[3][R::lanes], chords[3][R::lanes], found[R::lanes];
+  /// Of the ways x + t s + bend s²/2; what is farther than `limit` need not be found.
+  [[nodiscard]] LaneAhead<R> look_ahead(V bend, R limit) const {
+    alignas(64) float bent[3][R::lanes], chords[3][R::lanes], found[R::lanes], missed[R::lanes];
     store(bend, bent);
     store(multiply_add(bend, R(0.5) * limit,
                        V{R::load(along_[0]), R::load(along_[1]), R::load(along_[2])}),
@@ -91,7 +98,28 @@ class LaneCrowdGrid {
     for (int lane = 0; lane < R::lanes; ++lane) {
       const V bend_here{R(bent[0][lane]), R(bent[1][lane]), R(bent[2][lane])};
       const float chord[3] = {chords[0][lane], chords[1][lane], chords[2][lane]};
-      found[lane] = first_on(lane, bend_here, chord, found[lane]);
+      found[lane] = first_on(lane, bend_here, chord, found[lane], missed[lane]);
+    }
+    return {R::load(found), R::load(missed)};
+  }
+
+  /// As a share of the step, where the paths of `which` enter a ball that they don't begin in; 2
+  /// where they enter none.
+  /// @param over  how far past a border a step ends
+  [[nodiscard]] R first_entry(Mask which, const LanePath<R>& path, R over) const {
+    alignas(64) float found[R::lanes], chords[3][R::lanes];
+    R(2).store(found);
+    store(path.place.at(R(1)) - path.place.c0, chords);
+    for (std::uint32_t rest = bits(which); rest != 0; rest &= rest - 1) {
+      const int lane = __builtin_ctz(rest);
+      const float chord[3] = {chords[0][lane], chords[1][lane], chords[2][lane]};
+      const LanePath<R> here = path.of(lane);
+      const R last = last_look(here, of_lane(over, lane));
+      for (Walk walk(*this, lane, chord); walk.goes_on(); walk.go_on()) {
+        const float share = first_of_cube(lane, walk.cell(), here, last);
+        if (share < found[lane]) found[lane] = share;
+        if (!(walk.end() < 1.0f && walk.end() < found[lane])) break;
+      }
     }
     return R::load(found);
   }
@@ -269,11 +297,38 @@ class LaneCrowdGrid {
     return deepest;
   }
 
+  /// Of the balls of one cube: where a path enters the first, up to the share `last`; else 2.
+  /// @param path  of one lane, in all
+  [[nodiscard]] float first_of_cube(int lane, int cell, const LanePath<R>& path, R last) const {
+    const Way way(*this, lane);
+    const std::uint32_t end = crowd_.begins[cell + 1];
+    float least = 2.0f;
+    for (std::uint32_t first = crowd_.begins[cell]; first < end; first += R::lanes) {
+      const Balls balls(*this, way, first, end);
+      const LaneDistance<R> outside{path, balls.to_middle + way.x, balls.reach2};
+      const R nearest = min(outside.nearest(), last);
+      const Mask enters =
+          balls.there & !balls.within & (nearest > R(0)) & (outside.at(nearest) < R(0));
+      if (!any(enters)) continue;
+      const R guess = outside.surface_from(nearest, R(-1));
+      alignas(64) float shares[R::lanes];
+      crossing(enters, outside, guess, R(1), R(0), nearest).store(shares);
+      for (std::uint32_t rest = bits(enters); rest != 0; rest &= rest - 1) {
+        const float share = shares[__builtin_ctz(rest)];
+        least = share < least ? share : least;
+      }
+    }
+    return least;
+  }
+
   /// Of one lane; `never` where nothing comes before the limit.
-  [[nodiscard]] float first_on(int lane, V bend, const float* chord, float limit) const {
+  /// @param[out] missed  at what distance it passes by balls, at the least
+  [[nodiscard]] float first_on(int lane, V bend, const float* chord, float limit,
+                               float& missed) const {
     const Way way(*this, lane);
     const R most(limit);
     float least = limit;
+    R passes(never);
     for (Walk walk(*this, lane, chord); walk.goes_on(); walk.go_on()) {
       const int cell = walk.cell();
       const std::uint32_t end = crowd_.begins[cell + 1];
@@ -283,23 +338,26 @@ class LaneCrowdGrid {
         const R near = min(max(balls.towards, R(0)), most);
         const V bent = bend * near, direction = way.t + bent;
         const V from = balls.to_middle - (way.t + bent * R(0.5)) * near;
-        const R inside = balls.reach2 - dot(from, from);
-        const Mask meets = balls.there & !balls.within & (balls.towards > R(0)) & (inside > R(0));
+        const R along = dot(from, direction), speed2 = dot(direction, direction);
+        const R distance2 = max(dot(from, from) - along * along / speed2, R(0));
+        const Mask comes = balls.there & !balls.within & (balls.towards > R(0));
+        const R inside = balls.reach2 - distance2;
+        passes = min(passes, select(comes & (inside <= R(0)), sqrt(distance2) - sqrt(balls.reach2),
+                                    R(never)));
+        const Mask meets = comes & (inside > R(0));
         if (!any(meets)) continue;
         // Straight on from the start if that meets it, else straight back from there; then a step
         // of Newton's method. A guess that is too late is mended after the step.
         const R off = balls.square - balls.reach2;
         const R straight = balls.towards * balls.towards - off;
-        const R along = dot(from, direction), speed2 = dot(direction, direction);
-        const R root =
-            sqrt(max(select(straight > R(0), straight, along * along + inside * speed2), R(0)));
-        const R guess =
-            select(straight > R(0), balls.towards - root, near + (along - root) / speed2);
+        const R root = sqrt(max(select(straight > R(0), straight, inside * speed2), R(0)));
+        const R middle = near + along / speed2;
+        const R guess = select(straight > R(0), balls.towards - root, middle - root / speed2);
         const V there = balls.to_middle - (way.t + bend * (R(0.5) * guess)) * guess;
         const R slope = dot(there, way.t + bend * guess);
         const R better = guess + (dot(there, there) - balls.reach2) / (slope + slope);
         alignas(64) float found[R::lanes];
-        select((better > R(0)) & (better <= near), better, near * R(0.5)).store(found);
+        select((better > R(0)) & (better <= max(near, middle)), better, near * R(0.5)).store(found);
         for (std::uint32_t rest = bits(meets); rest != 0; rest &= rest - 1) {
           const float s = found[__builtin_ctz(rest)];
           least = s < least ? s : least;
@@ -307,6 +365,10 @@ class LaneCrowdGrid {
       }
       if (!(walk.end() < least)) break;
     }
+    alignas(64) float distances[R::lanes];
+    passes.store(distances);
+    missed = distances[0];
+    for (const float distance : distances) missed = distance < missed ? distance : missed;
     return least < limit ? least : never;
   }
 

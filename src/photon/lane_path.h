@@ -25,6 +25,18 @@ Vec3<R> unit(Vec3<R> v) {
   return v * scale;
 }
 
+/// What one lane holds, in all.
+template <class R>
+R of_lane(R values, int lane) {
+  alignas(64) float all[R::lanes];
+  values.store(all);
+  return R(all[lane]);
+}
+template <class R>
+Vec3<R> of_lane(Vec3<R> v, int lane) {
+  return {of_lane(v.x, lane), of_lane(v.y, lane), of_lane(v.z, lane)};
+}
+
 /// A polynomial in the share u of a step, 0 to 1.
 template <class R, class T>
 struct LaneQuintic {
@@ -108,6 +120,16 @@ struct LanePath {
     // At no share of the step do the bends count for more together than one that lasts.
     stray = R(0.5001) * h * turn;
     sway = R(1.25) * stray;
+  }
+
+  /// The path of one lane, in all.
+  [[nodiscard]] LanePath of(int lane) const {
+    LanePath one(*this);
+    for (V* c :
+         {&one.place.c0, &one.place.c1, &one.place.c2, &one.place.c3, &one.place.c4, &one.place.c5})
+      *c = of_lane(*c, lane);
+    for (R* value : {&one.h, &one.turn, &one.stray, &one.sway}) *value = of_lane(*value, lane);
+    return one;
   }
 
   /// The height over a plane, from that of the start.
