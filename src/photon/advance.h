@@ -153,7 +153,9 @@ class Tracer {
   }
 
   [[nodiscard]] bool has_drifted() const {
-    return travel_.drift.direction > trusted_drift * space_.physics.tolerance;
+    const double trusted = trusted_drift * space_.physics.tolerance;
+    return travel_.drift.direction >
+           (travel_.arrival.fate == Fate::absorbed ? std::fmax(trusted, absorbed_drift) : trusted);
   }
 
   /// A point slightly ahead: what acts there decides what acts over the step.

@@ -23,9 +23,18 @@ struct Drift {
   }
 };
 
-/// A way that has drifted by more tolerances than that is taken again, in finer steps; and of one
-/// that has drifted by more in lanes, the scalar engine is asked. Nearly all drift by far less than
-/// they may. Measured on random scenes (docs/differential.md).
-inline constexpr double trusted_drift = 40.0, trusted_drift_in_lanes = 150.0;
+/// A way that has drifted by more tolerances than that is taken again, in finer steps. Nearly all
+/// drift by far less than they may. Measured on random scenes (docs/differential.md).
+inline constexpr double trusted_drift = 15.0;
+
+/// A way that has drifted by more than that in lanes is taken again there in finer steps, and then
+/// by the scalar engine; radians. At fine tolerances more of the drift is rounding, which an
+/// estimate of a step's error does not tell from luck.
+[[nodiscard]] constexpr double trusted_drift_in_lanes(double tolerance) {
+  return 100.0 * tolerance * (tolerance < 1e-4 ? tolerance / 1e-4 : 1.0);
+}
+
+/// So far a way that ends in a horizon may drift, radians: it is asked for no direction.
+inline constexpr double absorbed_drift = 0.1;
 
 }  // namespace portalens

@@ -149,12 +149,17 @@ class LaneDriver {
     }
   }
 
-  /// Leaves a photon to the scalar engine, from its start.
+  /// Takes a photon from its start again: where it drifted, in finer steps; where that does not
+  /// help, by the scalar engine.
   [[gnu::noinline]] void resign(int lane) {
+    const bool drifts = lanes_.askew[lane] > plan_.scene.most_drift;
+    if (drifts && lanes_.strictness[lane] < lane_strictness) {
+      begin(lane, lane_strictness);
+      return;
+    }
     if (is_told(lane)) trails_[photon_[lane]].lose_sight();
     Arrival& arrival = arrivals_[photon_[lane]];
     const Photon& photon = photons_[photon_[lane]];
-    const bool drifts = lanes_.askew[lane] > plan_.scene.most_drift;
     arrival = drifts ? scalar_.advance_finer(photon, nullptr, std::nullopt)
                      : scalar_.advance(photon, nullptr);
     arrival.handed_over = arrival.steps;
@@ -318,7 +323,22 @@ class LaneDriver {
     lanes_.clear[lane] = 0.0f;
     lanes_.longest[lane] = never;
     lanes_.astray[lane] = lanes_.askew[lane] = 0.0f;
+    lanes_.strictness[lane] = 1.0f;
     lanes_.live[lane] = 0.0f;
+  }
+
+  /// Puts its photon at its start.
+  void begin(int lane, float strictness) {
+    const std::size_t index = photon_[lane];
+    const Photon& photon = photons_[index];
+    whole_ |= std::uint32_t{1} << lane;
+    put(lane, {photon.position, photon.direction}, photon.departure, 0.0);
+    lanes_.length[lane] = lanes_.turning[lane] = lanes_.steps[lane] = 0.0f;
+    lanes_.astray[lane] = lanes_.askew[lane] = 0.0f;
+    lanes_.strictness[lane] = strictness;
+    if (!is_told(lane)) return;
+    trails_[index].restart();
+    trails_[index].pass(photon.position, 0.0, 0.0);
   }
 
   void refill(int lane) {
@@ -332,11 +352,7 @@ class LaneDriver {
         continue;
       }
       photon_[lane] = index;
-      whole_ |= std::uint32_t{1} << lane;
-      put(lane, {photon.position, photon.direction}, photon.departure, 0.0);
-      lanes_.length[lane] = lanes_.turning[lane] = lanes_.steps[lane] = 0.0f;
-      lanes_.astray[lane] = lanes_.askew[lane] = 0.0f;
-      if (index < trails_.size()) trails_[index].pass(photon.position, 0.0, 0.0);
+      begin(lane, 1.0f);
       ++travelling_;
       return;
     }

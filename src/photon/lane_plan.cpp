@@ -346,7 +346,8 @@ void set_steps(const Space& space, bool looks_through, double ahead, LanePlan& p
       step.nearness_weight / (looks_through ? std::pow(longest_with_portals, 4) : 1.0));
   scene.third_weight = static_cast<float>(step.third_weight);
   scene.tolerance = static_cast<float>(physics.tolerance);
-  scene.most_drift = static_cast<float>(trusted_drift_in_lanes * physics.tolerance);
+  scene.most_drift = static_cast<float>(trusted_drift_in_lanes(physics.tolerance));
+  scene.most_absorbed = static_cast<float>(absorbed_drift);
   scene.feedback_weight = static_cast<float>(step.feedback_weight);
   scene.overshoot = static_cast<float>(overshoot_for(space, ahead));
   scene.ahead = static_cast<float>(ahead);

@@ -32,6 +32,9 @@ struct LaneMass {
 /// Ways of more steps are left to the scalar engine: light winds there closer than floats can
 /// follow.
 inline constexpr int most_lane_steps = 512;
+/// Of the steps of a way that is taken again: by how much less they may err, and how much shorter
+/// they are from the start, which is the seventh root of that.
+inline constexpr float lane_strictness = 30.0f, strict_share = 0.615f;
 inline constexpr int lane_count = 32;  ///< as many as `LaneStep` has bits
 
 inline constexpr int most_lane_masses = 8;
@@ -196,6 +199,7 @@ struct LaneScene {
   float third_weight, feedback_weight;      ///< of the step's roughness, see Radau
   float tolerance;                          ///< of the scene's physics, radians
   float most_drift;                         ///< of a way that lanes may follow, radians
+  float most_absorbed;                      ///< of one that ends in a horizon
   float ahead;         ///< the place that decides what acts lies this far ahead
   float overshoot;     ///< a step ends this far past a boundary
   float farthest;      ///< no step in the field is longer
@@ -243,6 +247,7 @@ struct alignas(64) Lanes {
   float tx[lane_count], ty[lane_count], tz[lane_count];
   float length[lane_count], turning[lane_count], steps[lane_count];
   float longest[lane_count];        ///< of the next step: what the error of the last allows
+  float strictness[lane_count];     ///< 1, or `lane_strictness` where its way is taken again
   float astray[lane_count];         ///< its `Drift`: of its place,
   float askew[lane_count];          ///< and of its direction
   float live[lane_count];           ///< 1 or 0

@@ -57,9 +57,10 @@ class LaneStepper {
     end.direction = unit(end.direction);
     const LanePath<R> path(here, bends, h);
     const R pull2 = dot(start.acceleration, start.acceleration);
-    const R roughness =
-        Radau::roughness(Radau::doubt(here, bends, h, path.turn), pull2, start.gradient, h,
-                         R(scene_.third_weight), R(scene_.feedback_weight));
+    // As often as the error is what the scene allows, and as what this way does.
+    const R error = Radau::roughness(Radau::doubt(here, bends, h, path.turn), pull2, start.gradient,
+                                     h, R(scene_.third_weight), R(scene_.feedback_weight));
+    const R roughness = error * read(lanes_.strictness);
     R next(never);
     if (any(roughness > R(Radau::smooth)))
       next = select(flies, next, Radau::longest_after(h, roughness, next));
@@ -136,8 +137,8 @@ class LaneStepper {
     const R travelled = add(lanes_.length, stays, length);
     const R turning = add(lanes_.turning, stays, angle);
     const R steps = add(lanes_.steps, stays, R(1));
-    const Mask drifts = drift(stays, length, span(x1), start.gradient,
-                              R(scene_.tolerance) * select(flies, R(0), roughness));
+    const R drifted = drift(stays, length, span(x1), start.gradient,
+                            R(scene_.tolerance) * select(flies, R(0), error));
     write(lanes_.clear, stays, read(lanes_.clear), clear);
     // After a short step a plane may still be as near as rounding.
     write(lanes_.departed, stays | (length < R(8) * R(scene_.ahead)), read(lanes_.departed), R(-1));
@@ -151,8 +152,11 @@ class LaneStepper {
     event = select(ends & (found.event > R(0)), found.event, event);
     event = select(escapes, code(LaneEvent::escape), event);
     event = select(consults, code(LaneEvent::consult), event);
-    event = select(resigns | (drifts & !(event == code(LaneEvent::horizon))),
-                   code(LaneEvent::resign), event);
+    // A way may drift until it is known where it leads: one that is swallowed tells no direction.
+    const Mask tells = (event > R(0)) & !(event == code(LaneEvent::horizon));
+    const Mask drifts =
+        live & (drifted > select(tells, R(scene_.most_drift), R(scene_.most_absorbed)));
+    event = select(resigns | drifts, code(LaneEvent::resign), event);
     event.store(lanes_.event + first_);
     found.object.store(lanes_.object + first_);
     return bits(event > R(0));
@@ -169,16 +173,16 @@ class LaneStepper {
     sum.store(values + first_);
     return sum;
   }
-  /// What the step and the rounding of where it ends add to what a way has drifted; where that is
-  /// too much.
-  [[nodiscard]] Mask drift(Mask stays, R length, R size, R gradient, R error) const {
+  /// What the step and the rounding of where it ends add to what a way has drifted; how much its
+  /// direction then has.
+  [[nodiscard]] R drift(Mask stays, R length, R size, R gradient, R error) const {
     const R rounding(6e-8);
     const Drift<R> before{read(lanes_.astray), read(lanes_.askew)};
     Drift<R> after = before;
     after.pass(length, gradient, error + rounding);
     write(lanes_.astray, stays, before.place, multiply_add(size, rounding, after.place));
     write(lanes_.askew, stays, before.direction, after.direction);
-    return (!stays) & (after.direction > R(scene_.most_drift));
+    return select(stays, before.direction, after.direction);
   }
   [[nodiscard]] static R code(LaneEvent event) { return R(static_cast<int>(event)); }
   [[nodiscard]] static V choose(Mask which, V a, V b) {
@@ -197,7 +201,8 @@ class LaneStepper {
   [[nodiscard]] R longest(V x, const LaneBending<R>& start, Mask flies) const {
     const R proposed = Radau::propose(start.stiffness, start.nearness, R(scene_.stiffness_weight),
                                       R(scene_.nearness_weight));
-    return select(flies, span(x) + R(scene_.radius), min(proposed, R(scene_.farthest)));
+    const R share = select(read(lanes_.strictness) > R(1), R(strict_share), R(1));
+    return select(flies, span(x) + R(scene_.radius), min(proposed * share, R(scene_.farthest)));
   }
 
   /// Ends the step where what acts changes, if `boundary` has not foreseen it. A straight flight
@@ -369,8 +374,9 @@ class LaneStepper {
   int first_;
 };
 
+/// Never inlined: one function of all fields is more than compilers find registers for.
 template <class R, class F>
-std::uint32_t step_lanes_in(const LaneScene& scene, Lanes& lanes) {
+[[gnu::noinline]] std::uint32_t step_lanes_in(const LaneScene& scene, Lanes& lanes) {
   std::uint32_t events = 0;
   for (int first = 0; first < lane_count; first += R::lanes)
     events |= LaneStepper<R, F>(scene, lanes, first).step() << first;
