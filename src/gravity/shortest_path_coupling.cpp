@@ -190,7 +190,8 @@ std::uint64_t ShortestPathCoupling::signature(Vec3d x) const {
 }
 
 /// A way's length changes by no more than x does: so its distance from the influence bounds how far
-/// off the place is where the image begins or ceases to act.
+/// off the place is where the image begins or ceases to act. Through one portal, as far as the way
+/// runs over the same feature, too; through several that is looked for at shares of a step alone.
 double ShortestPathCoupling::calm(const Image& image, Vec3d x) const {
   const Entrance& entrance = entrances_[links_[image.link].first];
   const double aside = length(x - entrance.center) - entrance.radius + image.beyond;
@@ -201,7 +202,9 @@ double ShortestPathCoupling::calm(const Image& image, Vec3d x) const {
   const FaceRow faces = faces_of(image, row);
   const double limit = 1.25 * image.influence;
   if (!shortest_passages(x, image.center, faces, limit, passages)) return 0.25 * image.influence;
-  return std::fabs(follow(x, image.center, faces, passages).length - image.influence);
+  const double beyond = follow(x, image.center, faces, passages).length - image.influence;
+  if (beyond >= 0.0 || faces.size() > 1) return std::fabs(beyond);
+  return std::min(-beyond, calm_passage(x, image.center, *faces[0]));
 }
 
 double ShortestPathCoupling::calm(Vec3d x) const {

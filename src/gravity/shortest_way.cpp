@@ -61,6 +61,38 @@ bool shortest_by_one(Vec3d from, Vec3d to, const PortalFace& face, double limit,
   return found;
 }
 
+/// How far `a` may move, at the least, before a straight way through the face begins or ceases;
+/// ends are given in the face's coordinates. It is straight from in front of the face, within the
+/// pyramid over it whose top is `b`.
+double calm_sight(const PortalFace& face, Vec3d a, Vec3d b) {
+  const double tolerance = face.height_tolerance(), height = a.z + tolerance;
+  if (b.z > tolerance) return std::numeric_limits<double>::infinity();
+  if (b.z >= 0.0) return 0.0;
+  double outside = -std::numeric_limits<double>::infinity();
+  for (const FaceEdge& edge : face.edges()) {
+    const Vec3d start{edge.start_x, edge.start_y, 0.0};
+    const Vec3d normal = cross({edge.direction_x, edge.direction_y, 0.0}, start - b);
+    outside = std::max(outside, dot(normal, a - start) / length(normal));
+  }
+  if (height < 0.0) return std::max(-height, outside);
+  return outside <= 0.0 ? std::min(-outside, height) : outside;
+}
+
+/// How much longer than the shortest way over the rim that over another feature is.
+double lead_over_rim(const PortalFace& face, Vec3d a, Vec3d b) {
+  double least = std::numeric_limits<double>::infinity(), second = least;
+  Passage best = straight_passage;
+  for (std::uint32_t i = 0; i < face.edges().size(); ++i) {
+    const RimWay<double> way = over_edge(face.edges()[i], a, b);
+    const Passage passage = rim_passage(face, i, way.place);
+    const bool better = way.length < least;
+    // A vertex is met along two edges.
+    if (passage.code() != best.code()) second = std::min(second, better ? least : way.length);
+    if (better) best = passage, least = way.length;
+  }
+  return second - least;
+}
+
 /// Branch and bound over which faces are passed by which edges.
 class Search {
  public:
@@ -215,6 +247,14 @@ class Search {
 bool shortest_passages(Vec3d from, Vec3d to, FaceRow faces, double limit, Passages& out) {
   if (faces.size() == 1) return shortest_by_one(from, to, *faces[0], limit, out[0]);
   return Search(from, to, faces, limit, out).run();
+}
+
+double calm_passage(Vec3d from, Vec3d to, const PortalFace& face) {
+  const Vec3d a = face.frame().to_local(from), b = face.frame().to_local(to);
+  const double sight = calm_sight(face, a, b);
+  if (straight_through(face, a, b) >= 0.0) return sight;
+  // Both lengths change by no more than the place does.
+  return std::min(sight, 0.5 * lead_over_rim(face, a, b));
 }
 
 Polyline bends(Vec3d from, Vec3d to, FaceRow faces, const Passages& passages) {

@@ -50,6 +50,10 @@ struct Way {
 [[nodiscard]] bool shortest_passages(Vec3d from, Vec3d to, FaceRow faces, double limit,
                                      Passages& out);
 
+/// Within this distance of `from` the shortest way does not jump: it passes one face as it does
+/// there, but that it may slide from an edge onto a vertex of it, or back.
+[[nodiscard]] double calm_passage(Vec3d from, Vec3d to, const PortalFace& face);
+
 /// The way with these passages, an edge counting as its whole line: smooth in `from`. Its bends are
 /// the points of the polyline, one for each passage that is not straight.
 [[nodiscard]] Polyline bends(Vec3d from, Vec3d to, FaceRow faces, const Passages& passages);

@@ -46,12 +46,13 @@ class Tracer {
 
   /// A photon that drifts too far in steps of the scene's tolerance: near capture, and where it is
   /// led through portals many times, a way magnifies every error made on it.
-  /// @param coarse  what it is without
+  /// @param coarse  what it is without; nothing where coarse steps were no use elsewhere
   [[nodiscard]] Arrival advance_finer(const Photon& photon, Journey* journey,
                                       std::optional<Arrival> coarse) {
     const Physics& physics = space_.physics;
     const I usual = integrator_;
-    for (const double share : {1e-2, 1e-4}) {
+    for (const double share : {1e-1, 1e-2, 1e-4}) {
+      if (!coarse && share > 1e-2) continue;
       tolerance_ = share * physics.tolerance;
       integrator_ = I::from({physics.step, tolerance_});
       follow(photon, journey);

@@ -25,7 +25,7 @@ struct Drift {
 
 /// A way that has drifted by more tolerances than that is taken again, in finer steps. Nearly all
 /// drift by far less than they may. Measured on random scenes (docs/differential.md).
-inline constexpr double trusted_drift = 15.0;
+inline constexpr double trusted_drift = 20.0;
 
 /// A way that has drifted by more than that in lanes is taken again there in finer steps, and then
 /// by the scalar engine; radians. At fine tolerances more of the drift is rounding, which an

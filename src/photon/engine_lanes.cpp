@@ -149,12 +149,12 @@ class LaneDriver {
     }
   }
 
-  /// Takes a photon from its start again: where it drifted, in finer steps; where that does not
+  /// Takes a photon from its start again: where it drifted, more strictly; where that does not
   /// help, by the scalar engine.
   [[gnu::noinline]] void resign(int lane) {
     const bool drifts = lanes_.askew[lane] > plan_.scene.most_drift;
-    if (drifts && lanes_.strictness[lane] < lane_strictness) {
-      begin(lane, lane_strictness);
+    if (drifts && strictness_[lane] < most_lane_strictness) {
+      begin(lane, strictness_[lane] + 1);
       return;
     }
     if (is_told(lane)) trails_[photon_[lane]].lose_sight();
@@ -323,19 +323,22 @@ class LaneDriver {
     lanes_.clear[lane] = 0.0f;
     lanes_.longest[lane] = never;
     lanes_.astray[lane] = lanes_.askew[lane] = 0.0f;
-    lanes_.strictness[lane] = 1.0f;
+    lanes_.judged[lane] = lanes_.shorter[lane] = 1.0f;
     lanes_.live[lane] = 0.0f;
   }
 
   /// Puts its photon at its start.
-  void begin(int lane, float strictness) {
+  /// @param strictness  which `lane_strictness`
+  void begin(int lane, int strictness) {
     const std::size_t index = photon_[lane];
     const Photon& photon = photons_[index];
     whole_ |= std::uint32_t{1} << lane;
     put(lane, {photon.position, photon.direction}, photon.departure, 0.0);
     lanes_.length[lane] = lanes_.turning[lane] = lanes_.steps[lane] = 0.0f;
     lanes_.astray[lane] = lanes_.askew[lane] = 0.0f;
-    lanes_.strictness[lane] = strictness;
+    strictness_[lane] = strictness;
+    lanes_.judged[lane] = lane_strictness[strictness].judged;
+    lanes_.shorter[lane] = lane_strictness[strictness].shorter;
     if (!is_told(lane)) return;
     trails_[index].restart();
     trails_[index].pass(photon.position, 0.0, 0.0);
@@ -352,7 +355,7 @@ class LaneDriver {
         continue;
       }
       photon_[lane] = index;
-      begin(lane, 1.0f);
+      begin(lane, 0);
       ++travelling_;
       return;
     }
@@ -390,6 +393,7 @@ class LaneDriver {
   std::array<State, lane_count> states_;
   std::array<PathStart, lane_count> starts_;
   std::array<std::size_t, lane_count> photon_{};
+  std::array<int, lane_count> strictness_{};  ///< which `lane_strictness`
   std::uint32_t whole_ = 0;  ///< lanes whose photon's way is theirs from its start, a bit each
   std::uint32_t fresh_ = 0;  ///< lanes that have not moved since they were filled, a bit each
   std::size_t next_ = 0;

@@ -113,9 +113,9 @@ struct LanePath {
     place.c0 = start.position;
     place.c1 = start.direction * h;
     place.c2 = bends.at[0] * (h2 * R(1.0 / 2.0));
-    place.c3 = bends.template sum<4>(polynomial[1]) * (h2 * R(1.0 / 6.0));
-    place.c4 = bends.template sum<4>(polynomial[2]) * (h2 * R(1.0 / 12.0));
-    place.c5 = bends.template sum<4>(polynomial[3]) * (h2 * R(1.0 / 20.0));
+    place.c3 = bends.sum(polynomial[1]) * (h2 * R(1.0 / 6.0));
+    place.c4 = bends.sum(polynomial[2]) * (h2 * R(1.0 / 12.0));
+    place.c5 = bends.sum(polynomial[3]) * (h2 * R(1.0 / 20.0));
     turn = Radau::turn(bends, h);
     // At no share of the step do the bends count for more together than one that lasts.
     stray = R(0.5001) * h * turn;

@@ -32,9 +32,14 @@ struct LaneMass {
 /// Ways of more steps are left to the scalar engine: light winds there closer than floats can
 /// follow.
 inline constexpr int most_lane_steps = 512;
-/// Of the steps of a way that is taken again: by how much less they may err, and how much shorter
-/// they are from the start, which is the seventh root of that.
-inline constexpr float lane_strictness = 30.0f, strict_share = 0.615f;
+/// How strictly the steps of a way are judged: they may err by so much less, and are shorter from
+/// the start by the seventh root of that. A way that drifts is taken again more strictly.
+struct LaneStrictness {
+  float judged, shorter;
+};
+inline constexpr LaneStrictness lane_strictness[] = {
+    {1.0f, 1.0f}, {30.0f, 0.615f}, {900.0f, 0.378f}};
+inline constexpr int most_lane_strictness = 2;
 inline constexpr int lane_count = 32;  ///< as many as `LaneStep` has bits
 
 inline constexpr int most_lane_masses = 8;
@@ -246,8 +251,9 @@ struct alignas(64) Lanes {
   float x[lane_count], y[lane_count], z[lane_count];
   float tx[lane_count], ty[lane_count], tz[lane_count];
   float length[lane_count], turning[lane_count], steps[lane_count];
-  float longest[lane_count];        ///< of the next step: what the error of the last allows
-  float strictness[lane_count];     ///< 1, or `lane_strictness` where its way is taken again
+  float longest[lane_count];  ///< of the next step: what the error of the last allows
+  float judged[lane_count];   ///< its `LaneStrictness`
+  float shorter[lane_count];
   float astray[lane_count];         ///< its `Drift`: of its place,
   float askew[lane_count];          ///< and of its direction
   float live[lane_count];           ///< 1 or 0

@@ -60,7 +60,7 @@ class LaneStepper {
     // As often as the error is what the scene allows, and as what this way does.
     const R error = Radau::roughness(Radau::doubt(here, bends, h, path.turn), pull2, start.gradient,
                                      h, R(scene_.third_weight), R(scene_.feedback_weight));
-    const R roughness = error * read(lanes_.strictness);
+    const R roughness = error * read(lanes_.judged);
     R next(never);
     if (any(roughness > R(Radau::smooth)))
       next = select(flies, next, Radau::longest_after(h, roughness, next));
@@ -201,8 +201,8 @@ class LaneStepper {
   [[nodiscard]] R longest(V x, const LaneBending<R>& start, Mask flies) const {
     const R proposed = Radau::propose(start.stiffness, start.nearness, R(scene_.stiffness_weight),
                                       R(scene_.nearness_weight));
-    const R share = select(read(lanes_.strictness) > R(1), R(strict_share), R(1));
-    return select(flies, span(x) + R(scene_.radius), min(proposed * share, R(scene_.farthest)));
+    return select(flies, span(x) + R(scene_.radius),
+                  min(proposed * read(lanes_.shorter), R(scene_.farthest)));
   }
 
   /// Ends the step where what acts changes, if `boundary` has not foreseen it. A straight flight

@@ -88,6 +88,16 @@ inline constexpr std::array<double, 4> end_turn = {once(4, 0, 1), once(4, 1, 1),
 
 }  // namespace radau_details
 
+/// The sum of vectors with weights.
+template <class Real, class... More>
+[[nodiscard]] Vec3<Real> weighted(const std::array<double, 4>& weights, Vec3<Real> first,
+                                  More... others) {
+  Vec3<Real> sum = first * Real(weights[0]);
+  std::size_t j = 0;
+  ((sum = multiply_add(others, Real(weights[++j]), sum)), ...);
+  return sum;
+}
+
 /// dt/ds at the four nodes of a step.
 template <class Real>
 struct Bends {
@@ -96,19 +106,8 @@ struct Bends {
   /// they foresaw all values turn it.
   Vec3<Real> foreseen, turned;
 
-  /// Their sum with weights, of the first `count`.
-  template <std::size_t count>
   [[nodiscard]] Vec3<Real> sum(const std::array<double, 4>& weights) const {
-    return sum(weights, std::make_index_sequence<count - 1>());
-  }
-
- private:
-  template <std::size_t... j>
-  [[nodiscard]] Vec3<Real> sum(const std::array<double, 4>& weights,
-                               std::index_sequence<j...>) const {
-    Vec3<Real> sum = at[0] * Real(weights[0]);
-    ((sum = multiply_add(at[j + 1], Real(weights[j + 1]), sum)), ...);
-    return sum;
+    return weighted(weights, at[0], at[1], at[2], at[3]);
   }
 };
 
@@ -165,8 +164,8 @@ struct Radau {
   [[nodiscard]] static StepDoubt<Real> doubt(StateOf<Real> state, const Bends<Real>& bends, Real h,
                                              Real turn) {
     using namespace radau_details;
-    const Vec3<Real> third = bends.template sum<4>(polynomial[3]) * h;
-    const Vec3<Real> bent = bends.template sum<4>(last_place);
+    const Vec3<Real> third = bends.sum(polynomial[3]) * h;
+    const Vec3<Real> bent = bends.sum(last_place);
     const Vec3<Real> last = multiply_add(
         multiply_add(bent, h, state.direction * Real(radau_nodes[3])), h, state.position);
     const Vec3<Real> missed = last - bends.foreseen;
@@ -214,32 +213,28 @@ struct Radau {
   [[nodiscard]] static Bends<Real> bends(const Acceleration& acceleration, StateOf<Real> state,
                                          Vec3<Real> start_acceleration, Real h) {
     using namespace radau_details;
-    const Vec3<Real> x = state.position, t = state.direction;
-    Bends<Real> bends;
-    auto& [k0, k1, k2, k3] = bends.at;
-    const auto place = [&](double node, Vec3<Real> bent) {
+    using V = Vec3<Real>;
+    const V x = state.position, t = state.direction;
+    const auto place = [&](double node, V bent) {
       return multiply_add(multiply_add(bent, h, t * Real(node)), h, x);
     };
-    k0 = turning_part(start_acceleration, t);
-    const Vec3<Real> a1 =
-        acceleration(place(radau_nodes[1], bends.template sum<1>(place_from_before[1])));
-    k1 = turning_part(a1, multiply_add(k0, Real(radau_nodes[1]) * h, t));
+    const V k0 = turning_part(start_acceleration, t);
+    const V a1 = acceleration(place(radau_nodes[1], weighted(place_from_before[1], k0)));
+    V k1 = turning_part(a1, multiply_add(k0, Real(radau_nodes[1]) * h, t));
     k1 = turning_part(a1, multiply_add(k0 + k1, Real(0.5 * radau_nodes[1]) * h, t));
-    const Vec3<Real> a2 =
-        acceleration(place(radau_nodes[2], bends.template sum<2>(place_from_before[2])));
-    k2 = turning_part(a2, multiply_add(bends.template sum<2>(turn_from_before[2]), h, t));
-    bends.foreseen = place(radau_nodes[3], bends.template sum<3>(place_from_before[3]));
-    const Vec3<Real> a3 = acceleration(bends.foreseen);
-    const Vec3<Real> before = multiply_add(bends.template sum<3>(turn_from_before[3]), h, t);
-    k3 = turning_part(a3, before);
-    const Vec3<Real> t1 = multiply_add(bends.template sum<4>(turn_from_all[1]), h, t);
-    const Vec3<Real> t2 = multiply_add(bends.template sum<4>(turn_from_all[2]), h, t);
-    const Vec3<Real> t3 = multiply_add(bends.template sum<4>(turn_from_all[3]), h, t);
+    const V a2 = acceleration(place(radau_nodes[2], weighted(place_from_before[2], k0, k1)));
+    V k2 = turning_part(a2, multiply_add(weighted(turn_from_before[2], k0, k1), h, t));
+    const V foreseen = place(radau_nodes[3], weighted(place_from_before[3], k0, k1, k2));
+    const V a3 = acceleration(foreseen);
+    const V before = multiply_add(weighted(turn_from_before[3], k0, k1, k2), h, t);
+    V k3 = turning_part(a3, before);
+    const V t1 = multiply_add(weighted(turn_from_all[1], k0, k1, k2, k3), h, t);
+    const V t2 = multiply_add(weighted(turn_from_all[2], k0, k1, k2, k3), h, t);
+    const V t3 = multiply_add(weighted(turn_from_all[3], k0, k1, k2, k3), h, t);
     k1 = turning_part(a1, t1);
     k2 = turning_part(a2, t2);
     k3 = turning_part(a3, t3);
-    bends.turned = t3 - before;
-    return bends;
+    return {{k0, k1, k2, k3}, foreseen, t3 - before};
   }
 
   /// Where a step of `bends` ends; the direction's length is 1 but for the error of the step.
@@ -247,8 +242,8 @@ struct Radau {
   [[nodiscard]] static StateOf<Real> end(StateOf<Real> state, const Bends<Real>& bends, Real h) {
     using namespace radau_details;
     const Vec3<Real> x = state.position, t = state.direction;
-    return {multiply_add(multiply_add(bends.template sum<4>(end_place), h, t), h, x),
-            multiply_add(bends.template sum<4>(end_turn), h, t)};
+    return {multiply_add(multiply_add(bends.sum(end_place), h, t), h, x),
+            multiply_add(bends.sum(end_turn), h, t)};
   }
 
   template <class Acceleration>
@@ -256,9 +251,9 @@ struct Radau {
                                                Vec3d start_acceleration, double h) {
     using radau_details::polynomial;
     const Bends<double> found = bends(acceleration, state, start_acceleration, h);
-    const Vec3d middle = found.sum<4>(polynomial[0]) +
-                         (found.sum<4>(polynomial[1]) +
-                          (found.sum<4>(polynomial[2]) + found.sum<4>(polynomial[3]) * 0.5) * 0.5) *
+    const Vec3d middle = found.sum(polynomial[0]) +
+                         (found.sum(polynomial[1]) +
+                          (found.sum(polynomial[2]) + found.sum(polynomial[3]) * 0.5) * 0.5) *
                              0.5;
     const State arrived = end(state, found, h);
     return {{arrived.position, normalize(arrived.direction)},

@@ -314,5 +314,34 @@ TEST(ShortestWay, GivesUpBeyondItsLimit) {
   }
 }
 
+/// Whether a way slides from one to the other: they are equal, or a vertex and an edge that ends in
+/// it.
+bool are_neighbours(Passage a, Passage b, std::uint32_t count) {
+  if (a.kind == Passage::Kind::edge) std::swap(a, b);
+  if (a.kind != Passage::Kind::vertex || b.kind != Passage::Kind::edge)
+    return a.kind == b.kind && a.index == b.index;
+  return b.index == a.index || (b.index + 1) % count == a.index;
+}
+
+TEST(ShortestWay, DoesNotJumpWithinItsCalm) {
+  Random random(24);
+  int moved = 0;
+  for (int round = 0; round < scaled(20000); ++round) {
+    const Portal portal = portal_on(random_polygon(random, 1.0));
+    const PortalFace face(portal);
+    const PortalFace* faces = &face;
+    const Vec3d to = random.point(3.0), from = random.point(3.0);
+    const double calm = calm_passage(from, to, face);
+    const Vec3d there =
+        from + random.direction() * (std::min(calm, 3.0) * random.uniform(0.5, 1.0) * (1.0 - 1e-9));
+    Passages here{}, aside{};
+    ASSERT_TRUE(shortest_passages(from, to, {&faces, 1}, boundless, here));
+    ASSERT_TRUE(shortest_passages(there, to, {&faces, 1}, boundless, aside));
+    ASSERT_TRUE(are_neighbours(here[0], aside[0], portal.vertices.size())) << round;
+    moved += calm > 0.1;
+  }
+  EXPECT_GT(moved, scaled(20000) / 3);
+}
+
 }  // namespace
 }  // namespace portalens::test
