@@ -106,6 +106,7 @@ struct LanePath {
   /// How far it can be from its chord, divided by u (1 - u). Between the nodes bends may be a
   /// little stronger than there.
   R sway;
+  R met{1};  ///< the share at which it meets something: what is past that does not matter
 
   LanePath(const StateOf<R>& start, const Bends<R>& bends, R length) : h(length) {
     using radau_details::polynomial;
@@ -128,7 +129,8 @@ struct LanePath {
     for (V* c :
          {&one.place.c0, &one.place.c1, &one.place.c2, &one.place.c3, &one.place.c4, &one.place.c5})
       *c = of_lane(*c, lane);
-    for (R* value : {&one.h, &one.turn, &one.stray, &one.sway}) *value = of_lane(*value, lane);
+    for (R* value : {&one.h, &one.turn, &one.stray, &one.sway, &one.met})
+      *value = of_lane(*value, lane);
     return one;
   }
 
@@ -153,11 +155,12 @@ struct LanePath {
   }
 };
 
-/// Up to which share of a step lanes look whether what acts has changed: nearly to its end.
+/// Up to which share of a step lanes look whether what acts has changed: to what it meets, or
+/// nearly to its end.
 /// @param over  how far past a border a step ends
 template <class R>
 [[nodiscard]] R last_look(const LanePath<R>& path, R over) {
-  return max(R(1) - R(2) * over / path.h, R(0.5));
+  return min(max(R(1) - R(2) * over / path.h, R(0.5)), path.met);
 }
 
 /// The places on a step's path at which they look, from the first, its start.

@@ -55,7 +55,7 @@ class LaneStepper {
     const Bends<R> bends = Radau::bends(acceleration, here, start.acceleration, h);
     StateOf<R> end = Radau::end(here, bends, h);
     end.direction = unit(end.direction);
-    const LanePath<R> path(here, bends, h);
+    LanePath<R> path(here, bends, h);
     const R pull2 = dot(start.acceleration, start.acceleration);
     // As often as the error is what the scene allows, and as what this way does.
     const R error = Radau::roughness(Radau::doubt(here, bends, h, path.turn), pull2, start.gradient,
@@ -84,6 +84,7 @@ class LaneStepper {
     if constexpr (F::may_lack_room) doubtful = select(field.lacks_room, R(1), doubtful);
 
     again = again & !resigns;
+    path.met = min(found.share, R(1));
     find_change(path, field, live & !(flies | again | resigns | (doubtful > R(0))), found,
                 doubtful);
     const Mask consults = live & (doubtful > R(0)) & !(again | resigns);
