@@ -155,12 +155,12 @@ struct LanePath {
   }
 };
 
-/// Up to which share of a step lanes look whether what acts has changed: to what it meets, or
-/// nearly to its end.
+/// Up to which share of a step lanes look whether what acts has changed: nearly to what it meets,
+/// or to its end.
 /// @param over  how far past a border a step ends
 template <class R>
 [[nodiscard]] R last_look(const LanePath<R>& path, R over) {
-  return min(max(R(1) - R(2) * over / path.h, R(0.5)), path.met);
+  return max(path.met - R(2) * over / path.h, path.met * R(0.5));
 }
 
 /// The places on a step's path at which they look, from the first, its start.

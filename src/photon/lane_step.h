@@ -213,10 +213,15 @@ class LaneStepper {
     if (!any(which)) return;
     const R over(scene_.overshoot);
     FirstMeeting<R> first;
-    // What steps of a few borders' slack run over was decided past it.
-    field.find_changes(first, which & (path.h > R(8) * over), path, over);
+    // What steps of a few borders' slack run over was decided past it, and so is what they meet
+    // soon.
+    const Mask soon = (found.share <= R(1)) & (path.met * path.h < R(8) * R(scene_.ahead));
+    field.find_changes(first, which & (path.h > R(8) * over) & !soon, path, over);
     doubtful = select(first.missed, R(1), doubtful);
-    found.offer(first.share <= R(1), first.share + over / path.h, LaneEvent::none, R(-1));
+    // So close before what it meets, a step's end might be rounded to behind that.
+    const R past = first.share + over / path.h;
+    const Mask apart = past + R(8) * R(scene_.ahead) / path.h < found.share;
+    found.offer((first.share <= R(1)) & apart, past, LaneEvent::none, R(-1));
   }
 
   void find_horizons(const LanePath<R>& path, const StateOf<R>& end, const F& field,
