@@ -242,7 +242,7 @@ enum class LaneEvent : std::int32_t {
             ///< `first_crowd_object` one of the crowd
   cross,    ///< crossed the influence of a lone mass and goes on: `object` as for `horizon`
   consult,  ///< something may be near that lanes can't judge (the step was not taken)
-  resign,   ///< lanes can't follow this way to the tolerance: it is left to the scalar engine
+  resign,   ///< this way is not followed to the tolerance: it is taken again from its start
   limit,    ///< too many steps, too long, turned too far, or no number any more
 };
 

@@ -57,7 +57,7 @@ class LaneStepper {
     end.direction = unit(end.direction);
     LanePath<R> path(here, bends, h);
     const R pull2 = dot(start.acceleration, start.acceleration);
-    // As often as the error is what the scene allows, and as what this way does.
+    // What the step errs by, as a multiple of what the scene allows, and of what this way may.
     const R error = Radau::roughness(Radau::doubt(here, bends, h, path.turn), pull2, start.gradient,
                                      h, R(scene_.third_weight), R(scene_.feedback_weight));
     const R roughness = error * read(lanes_.judged);
