@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cmath>
-#include <utility>
 
 #include "math/multiply_add.h"
 #include "photon/integrator_settings.h"
