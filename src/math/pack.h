@@ -15,10 +15,6 @@
 
 namespace portalens {
 
-/// 1, 2, 4, 8…: as many as the widest pack has lanes.
-inline constexpr float powers_of_two[] = {1,   2,   4,    8,    16,   32,   64,    128,
-                                          256, 512, 1024, 2048, 4096, 8192, 16384, 32768};
-
 template <class Isa>
 using Pack = xsimd::batch<float, Isa>;
 
@@ -44,6 +40,29 @@ template <class P>
     return _mm256_fnmadd_ps(a, b, c);
   else
     return multiply_add_by_doubles(-a, b, c);
+}
+
+/// Where one mask is true, and the other is not. In xsimd 8 the ^ of masks is | with AVX-512, and
+/// their != compares numbers with SSE4.
+template <class P>
+[[nodiscard]] typename P::batch_bool_type one_of(typename P::batch_bool_type x,
+                                                 typename P::batch_bool_type y) {
+  if constexpr (std::is_same_v<typename P::arch_type, xsimd::avx512bw>)
+    return x != y;
+  else
+    return x ^ y;
+}
+
+/// Bit i for lane i: xsimd 8 has no function for that.
+template <class P>
+[[nodiscard]] std::uint32_t bits_of(typename P::batch_bool_type mask) {
+  using Isa = typename P::arch_type;
+  if constexpr (std::is_same_v<Isa, xsimd::avx512bw>)
+    return static_cast<std::uint32_t>(mask.data);
+  else if constexpr (std::is_same_v<Isa, xsimd::fma3<xsimd::avx2>>)
+    return static_cast<std::uint32_t>(_mm256_movemask_ps(mask.data));
+  else
+    return static_cast<std::uint32_t>(_mm_movemask_ps(mask.data));
 }
 
 /// 1/√x to within 7.6e-7 of itself, for x > 0: halving the exponent gives a guess, and two steps of
@@ -77,16 +96,11 @@ struct Pair {
 
     friend Mask operator&(Mask x, Mask y) { return {x.a & y.a, x.b & y.b}; }
     friend Mask operator|(Mask x, Mask y) { return {x.a | y.a, x.b | y.b}; }
+    friend Mask operator^(Mask x, Mask y) { return {one_of<P>(x.a, y.a), one_of<P>(x.b, y.b)}; }
     friend Mask operator!(Mask x) { return {!x.a, !x.b}; }
     friend bool any(Mask x) { return xsimd::any(x.a | x.b); }
     /// Bit i for lane i.
-    friend std::uint32_t bits(Mask x) {
-      const P value = P::load_unaligned(powers_of_two), none(0.0f);
-      const auto part = [&](typename P::batch_bool_type mask) {
-        return static_cast<std::uint32_t>(xsimd::hadd(xsimd::select(mask, value, none)));
-      };
-      return part(x.a) | part(x.b) << P::size;
-    }
+    friend std::uint32_t bits(Mask x) { return bits_of<P>(x.a) | bits_of<P>(x.b) << P::size; }
   };
 
   static constexpr int lanes = 2 * static_cast<int>(P::size);

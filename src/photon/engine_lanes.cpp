@@ -152,7 +152,7 @@ class LaneDriver {
   /// Takes a photon from its start again: where it drifted, more strictly; where that does not
   /// help, by the scalar engine.
   [[gnu::noinline]] void resign(int lane) {
-    const bool drifts = lanes_.askew[lane] > plan_.scene.most_drift;
+    const bool drifts = lanes_.askew[lane] > lanes_.most_drift[lane];
     if (drifts && strictness_[lane] < most_lane_strictness) {
       begin(lane, strictness_[lane] + 1);
       return;
@@ -324,6 +324,7 @@ class LaneDriver {
     lanes_.longest[lane] = never;
     lanes_.astray[lane] = lanes_.askew[lane] = 0.0f;
     lanes_.judged[lane] = lanes_.shorter[lane] = 1.0f;
+    lanes_.most_drift[lane] = plan_.scene.most_drift;
     lanes_.live[lane] = 0.0f;
   }
 
@@ -338,6 +339,7 @@ class LaneDriver {
     lanes_.astray[lane] = lanes_.askew[lane] = 0.0f;
     strictness_[lane] = strictness;
     lanes_.judged[lane] = lane_strictness[strictness].judged;
+    lanes_.most_drift[lane] = plan_.scene.most_drift * lane_strictness[strictness].drifts;
     lanes_.shorter[lane] = lane_strictness[strictness].shorter;
     if (!is_told(lane)) return;
     trails_[index].restart();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "math/multiply_add.h"
+#include "math/vec3.h"
 
 namespace portalens {
 
@@ -16,28 +17,46 @@ template <class R>
   return select((s > R(0)) & (abs(v) > R(1e-12)), s, R(never));
 }
 
+/// Where a way comes to the first of some borders.
+template <class R>
+struct LaneBorder {
+  R at{never};  ///< arc length
+  /// Where the border is a plane, the height over it at the start of the way, and its normal; else
+  /// a height of 1 over no plane.
+  R height{1};
+  Vec3<R> normal{R(0), R(0), R(0)};
+
+  void offer(R its_at) { offer({its_at, R(1), {R(0), R(0), R(0)}}); }
+  void offer(const LaneBorder& other) { take(other.at < at, other); }
+  void take(typename R::Mask where, const LaneBorder& other) {
+    at = select(where, other.at, at);
+    height = select(where, other.height, height);
+    normal = {select(where, other.normal.x, normal.x), select(where, other.normal.y, normal.y),
+              select(where, other.normal.z, normal.z)};
+  }
+};
+
 /// The plane that a way comes to first. It starts at some height over each, which changes at a
 /// rate, and that at a rate of its own.
 template <class R>
 struct FirstPlane {
-  R at{never}, rate{1}, turn{0};
+  LaneBorder<R> border;
+  R rate{1}, turn{0};
 
-  void offer(R height, R its_rate, R its_turn) {
+  void offer(R height, R its_rate, R its_turn, Vec3<R> normal) {
     const R s = until_zero(height, its_rate);
-    const auto sooner = s < at;
-    at = select(sooner, s, at);
-    rate = select(sooner, its_rate, rate);
-    turn = select(sooner, its_turn, turn);
+    take(s < border.at, {{s, height, normal}, its_rate, its_turn});
   }
   void take(typename R::Mask where, const FirstPlane& other) {
-    at = select(where, other.at, at);
+    border.take(where, other.border);
     rate = select(where, other.rate, rate);
     turn = select(where, other.turn, turn);
   }
   /// By one step of Newton's method from the straight way.
-  [[nodiscard]] R along_the_curve() const {
+  [[nodiscard]] LaneBorder<R> along_the_curve() const {
+    const R at = border.at;
     const R better = at - at * at * turn * R(0.5) / multiply_add(at, turn, rate);
-    return select(abs(better - at) < at * R(0.5), better, at);
+    return {select(abs(better - at) < at * R(0.5), better, at), border.height, border.normal};
   }
 };
 
@@ -72,6 +91,19 @@ template <class R>
   const R more = s2 * (inward - curl) * R(0.5) / slope;
   const auto trusted = abs(more) < abs(s) * R(0.5);
   return select((square > R(0)) & (s > R(0)), select(trusted, s + more, s), R(never));
+}
+
+/// How far a straight way of speed 1 is from a ball about the origin: until it enters it, 0 within
+/// it, `never` where it passes it.
+template <class R>
+[[nodiscard]] R until_ball(R radius, Vec3<R> from, Vec3<R> way) {
+  const R ahead = -dot(from, way);
+  // Also far off floats know the way's distance from the middle, but not the difference of squares.
+  const Vec3<R> aside = multiply_add(way, ahead, from);
+  const R square = radius * radius - dot(aside, aside);
+  const R s = ahead - sqrt(max(square, R(0)));
+  const R comes = select((square > R(0)) & (ahead > R(0)), s, R(never));
+  return select(dot(from, from) < radius * radius, R(0), max(comes, R(0)));
 }
 
 }  // namespace portalens

@@ -1,20 +1,21 @@
 /// \file
-/// The field over lanes where a coupling adds to it that `LaneField` does not know.
+/// The field over lanes where a coupling adds to that of masses.
 #pragma once
 
-#include "photon/lane_field.h"
+#include "photon/lane_masses.h"
 
 namespace portalens {
 
-/// Masses directly, and `Through` through portals. `Through` has, as `LaneField` does, `decide`,
-/// `acting`, `acceleration`, `boundary`, `sees_borders_far_off`, and
-///   void find_changes(FirstMeeting<R>& first, Mask which, const LanePath<R>& path,
-///                     R over) const;
+/// Masses directly, and `Through` through portals. `Through` has, as `LaneMasses` does,
+/// `acceleration`, `find_changes`, `too_near`, `sees_borders_far_off`, `foresees_planes`, and
+///   void decide(Vec3<R> anchor);
+///   Mask acting() const;
 ///   void add_to(LaneBending<R>& sum, Vec3<R> x, Vec3<R> t) const;
-///   Mask too_near(Vec3<R> x) const;
+///   LaneBorder<R> boundary(Vec3<R> x, Vec3<R> t, Vec3<R> bend, Mask acting, R limit) const;
+/// where `acting` is where anything acts.
 template <class R, class Through>
 struct LaneCoupled {
-  LaneField<R> direct;
+  LaneMasses<R> direct;
   Through through;
   typename R::Mask acting;
 
@@ -23,7 +24,7 @@ struct LaneCoupled {
 
   void decide(Vec3<R> x, Vec3<R> t) {
     direct.decide(x, t);
-    through.decide(x + t * R(direct.scene.ahead));
+    through.decide(multiply_add(t, R(direct.scene.ahead), x));
     acting = direct.acting | through.acting();
   }
   [[nodiscard]] LaneBending<R> bending(Vec3<R> x, Vec3<R> t) const {
@@ -46,11 +47,13 @@ struct LaneCoupled {
   [[nodiscard]] R distance2(int mass) const { return direct.distance2(mass); }
   [[nodiscard]] R ahead(int mass) const { return direct.ahead(mass); }
   static constexpr bool sees_borders_far_off = Through::sees_borders_far_off;
+  static constexpr bool foresees_planes = Through::foresees_planes;
   static constexpr bool may_lack_room = false;
 
-  [[nodiscard]] R boundary(Vec3<R> x, Vec3<R> t, Vec3<R> bend, R limit) const {
-    const R least = direct.boundary(x, t, bend, limit);
-    return min(least, through.boundary(x, t, bend, min(least, limit)));
+  [[nodiscard]] LaneBorder<R> boundary(Vec3<R> x, Vec3<R> t, Vec3<R> bend, R limit) {
+    LaneBorder<R> first = direct.boundary(x, t, bend, limit);
+    first.offer(through.boundary(x, t, bend, acting, min(first.at, limit)));
+    return first;
   }
 };
 

@@ -21,6 +21,19 @@ namespace {
 /// steps of lanes expect.
 constexpr double too_near = 4.0;
 
+double farthest(const Portal& portal, Vec3d from) {
+  double distance = 0.0;
+  for (const Vec3d& vertex : portal.vertices) distance = std::max(distance, length(vertex - from));
+  return distance;
+}
+
+/// Radius of a ball about the middle of a portal, out of which it does not act; with a slack beside
+/// which a float's rounding is small.
+float ball_about(const Portal& portal, double reach, double extent) {
+  return static_cast<float>(1.001 * (reach + farthest(portal, portal.frame.origin)) +
+                            1e-5 * extent);
+}
+
 /// Builds the tree of gates that `closest-point` recurses through.
 class GatePlanner {
  public:
@@ -93,6 +106,7 @@ class GatePlanner {
     gate.tolerance = static_cast<float>(portal.height_tolerance());
     gate.reach = static_cast<float>(reach);
     gate.reach2 = gate.reach * gate.reach;
+    gate.ball = ball_about(portal, reach, space_.extent);
     // Lone masses reach no portal.
     for (std::size_t i = 0; i < masses_.size(); ++i) {
       const Vec3d seen = beyond.to_local(space_.masses[masses_[i]].center);
@@ -113,12 +127,6 @@ class GatePlanner {
     scene_.fading = scene_.fading || gate.falls_short;
   }
 
-  [[nodiscard]] static double farthest(const Portal& portal, Vec3d from) {
-    double distance = 0.0;
-    for (const Vec3d& vertex : portal.vertices)
-      distance = std::max(distance, length(vertex - from));
-    return distance;
-  }
   /// Whether some of a portal is further than that from a place, and some nearer.
   [[nodiscard]] static bool ends_on(const Portal& portal, Vec3d from, double influence) {
     return PortalFace(portal).distance(from) < 1.0001 * influence &&
@@ -132,7 +140,7 @@ class GatePlanner {
   LaneScene& scene_;
 };
 
-LaneFace face_of(const Portal& portal, Vec3d center, double reach) {
+LaneFace face_of(const Portal& portal, Vec3d center, double reach, double extent) {
   const Rectangle rectangle = rectangle_of(portal);
   return {narrow(portal.frame.origin - center),
           narrow(portal.frame.right),
@@ -141,7 +149,8 @@ LaneFace face_of(const Portal& portal, Vec3d center, double reach) {
           static_cast<float>(rectangle.half_width),
           static_cast<float>(rectangle.half_height),
           static_cast<float>(portal.height_tolerance()),
-          static_cast<float>(reach * reach)};
+          static_cast<float>(reach * reach),
+          ball_about(portal, reach, extent)};
 }
 
 LaneMap map_of(const GravitonGrid& grid, const LaneFace& face, float most_nearness) {
@@ -201,7 +210,7 @@ float most_nearness(const Space& space, std::uint32_t portal) {
     if (plan.scene.map_count == most_lane_portals)
       return fmt::format("more than {} sides of portals act (lanes take {})", most_lane_portals,
                          most_lane_portals);
-    const LaneFace face = face_of(portals[a], plan.center, reach);
+    const LaneFace face = face_of(portals[a], plan.center, reach, space.extent);
     plan.scene.maps[plan.scene.map_count++] =
         map_of(coupling.grid(a), face, most_nearness(space, a));
     first.push_back(plan.map_cells.size() / 3);
@@ -255,8 +264,8 @@ float bare2_of_way(const Space& space, const ShortestPathCoupling::Image& image,
       return fmt::format("more than {} sides of portals act (lanes take {})", most_lane_portals,
                          most_lane_portals);
     if (chain.front() != entered)
-      scene.entrances[scene.entrance_count++] = {face_of(portal, plan.center, 0.0), scene.way_count,
-                                                 scene.way_count};
+      scene.entrances[scene.entrance_count++] = {face_of(portal, plan.center, 0.0, space.extent),
+                                                 scene.way_count, scene.way_count};
     entered = chain.front();
     ++scene.entrances[scene.entrance_count - 1].end;
     const Vec3d local = portal.frame.to_local(image.center);

@@ -1,5 +1,5 @@
 /// \file
-/// The field over lanes of more masses than `LaneField` holds: each step asks those that act on a
+/// The field over lanes of more masses than `LaneMasses` holds: each step asks those that act on a
 /// lane of its pack, which a grid tells.
 #pragma once
 
@@ -18,7 +18,7 @@ struct LaneCrowdField {
   int count = 0;                         ///< of the masses that act or absorb where a lane is
   std::uint32_t listed[most_lane_near];  ///< ascending
   R inside[most_lane_near];              ///< G M / c² where the influence holds, else 0
-  /// From the step's start, as in `LaneField`; a mass that a lane does not list is far off.
+  /// From the step's start, as in `LaneMasses`; a mass that a lane does not list is far off.
   R squares[most_lane_near], along[most_lane_near];
   R missed;  ///< `LaneAhead::missed` of the step
   typename R::Mask acting, lacks_room;
@@ -72,8 +72,8 @@ struct LaneCrowdField {
     return sum;
   }
 
-  /// As of `LaneField`; what acts and what absorbs is left or entered there.
-  [[nodiscard]] R boundary(Vec3<R> x, Vec3<R> t, Vec3<R> bend, R limit) {
+  /// As of `LaneMasses`; what acts and what absorbs is left or entered there.
+  [[nodiscard]] LaneBorder<R> boundary(Vec3<R> x, Vec3<R> t, Vec3<R> bend, R limit) {
     const R bend2 = dot(bend, bend);
     R least(never);
     for (int i = 0; i < count; ++i) {
@@ -86,7 +86,9 @@ struct LaneCrowdField {
     const LaneAhead<R> ahead =
         LaneCrowdGrid<R>(crowd, x, t, scene.ahead).look_ahead(bend, min(least, limit));
     missed = ahead.missed;
-    return min(least, ahead.entry);
+    LaneBorder<R> first;
+    first.offer(min(least, ahead.entry));
+    return first;
   }
 
   /// Where the path leaves or enters a ball sooner than `boundary` has foreseen.
@@ -120,8 +122,9 @@ struct LaneCrowdField {
   /// Nothing acts through portals.
   [[nodiscard]] typename R::Mask too_near(Vec3<R>) const { return R(1) < R(0); }
 
-  /// As of `LaneField`.
+  /// As of `LaneMasses`.
   static constexpr bool sees_borders_far_off = true;
+  static constexpr bool foresees_planes = false;
   static constexpr bool may_lack_room = true;
 };
 

@@ -3,9 +3,10 @@
 #pragma once
 
 #include "gravity/graviton_bilinear.h"
-#include "photon/lane_field.h"
 #include "photon/lane_four.h"
+#include "photon/lane_pull.h"
 #include "photon/lane_rectangle.h"
+#include "photon/lane_scene.h"
 
 namespace portalens {
 
@@ -60,26 +61,31 @@ class LaneGravitonMap {
     return look_up(x, [](int) { return R(1); }).acceleration;
   }
 
-  [[nodiscard]] R boundary(Vec3<R> x, Vec3<R> t, Vec3<R> bend, R) const {
-    R least(never);
+  [[nodiscard]] LaneBorder<R> boundary(Vec3<R> x, Vec3<R> t, Vec3<R> bend, Mask acting, R) const {
+    LaneBorder<R> first;
     for (int k = 0; k < scene_.map_count; ++k) {
       const LaneMap& map = scene_.maps[k];
       const Vec3<R> local = local_in(map.face, x);
       const Vec3<R> way = to_axes(t, map.face.right, map.face.up, map.face.normal);
       const Vec3<R> turn = to_axes(bend, map.face.right, map.face.up, map.face.normal);
-      least = min(least, until_other_foot(map.face, feet_[k], (acts_[k] > R(0)) | (!acting_), local,
-                                          way, turn));
+      LaneBorder<R> own =
+          until_other_foot(map.face, feet_[k], (acts_[k] > R(0)) | (!acting_), local, way, turn);
       const R qx = feet_[k].x(local), qy = feet_[k].y(local);
       const R vx = feet_[k].keep_x * way.x, vy = feet_[k].keep_y * way.y;
-      least = min(least, until_zero(qx - low_x_[k], vx));
-      least = min(least, until_zero(qx - high_x_[k], vx));
-      least = min(least, until_zero(qy - low_y_[k], vy));
-      least = min(least, until_zero(qy - high_y_[k], vy));
+      const Vec3<R> right{R(1), R(0), R(0)}, up{R(0), R(1), R(0)};
+      own.offer({until_zero(qx - low_x_[k], vx), qx - low_x_[k], right});
+      own.offer({until_zero(qx - high_x_[k], vx), qx - high_x_[k], right});
+      own.offer({until_zero(qy - low_y_[k], vy), qy - low_y_[k], up});
+      own.offer({until_zero(qy - high_y_[k], vy), qy - high_y_[k], up});
+      if (any(!acting))
+        own.at = select(acting, own.at, max(own.at, until_ball(R(map.face.ball), local, way)));
+      own.normal = to_world(map.face, own.normal);
+      first.offer(own);
     }
-    return least;
+    return first;
   }
 
-  /// As in `LaneField`; and where the cells end that a step may use.
+  /// As in `LaneMasses`; and where the cells end that a step may use.
   void find_changes(FirstMeeting<R>& first, Mask which, const LanePath<R>& path, R over) const {
     const LaneLooks<R> looks(path, over);
     const R gap = path.h * R(1.0 / (LaneLooks<R>::count - 1));
@@ -119,10 +125,11 @@ class LaneGravitonMap {
     }
   }
 
-  /// As of `LaneField`.
+  /// As of `LaneMasses`.
   [[nodiscard]] Mask too_near(Vec3<R>) const { return bound_; }
 
   static constexpr bool sees_borders_far_off = true;
+  static constexpr bool foresees_planes = true;
 
  private:
   /// What a node holds.

@@ -39,6 +39,8 @@ struct LaneLine {
     return multiply_add(x, local.x, multiply_add(y, local.y, -offset));
   }
   [[nodiscard]] R rate(Vec3<R> way) const { return multiply_add(x, way.x, y * way.y); }
+  /// Of the plane through it that is upright on the face.
+  [[nodiscard]] Vec3<R> normal() const { return {x, y, R(0)}; }
   /// At most that of a height.
   [[nodiscard]] R sway(Vec3<R> of) const { return multiply_add(abs(x), of.x, abs(y) * of.y); }
   [[nodiscard]] LaneQuintic<R, R> height(const LocalPath<R>& path) const {
@@ -249,25 +251,27 @@ template <class R, class Gate>
 /// @param way   direction, in local coordinates like `local`
 /// @param turn  its rate of change, in the same
 template <class R, class Gate>
-[[nodiscard]] R until_other_foot(const Gate& gate, const LaneOutlineFoot<R>& foot,
-                                 typename R::Mask features, Vec3<R> local, Vec3<R> way,
-                                 Vec3<R> turn) {
+[[nodiscard]] LaneBorder<R> until_other_foot(const Gate& gate, const LaneOutlineFoot<R>& foot,
+                                             typename R::Mask features, Vec3<R> local, Vec3<R> way,
+                                             Vec3<R> turn) {
   FirstPlane<R> first;
   const auto within = foot.within > R(0), behind = foot.behind > R(0);
   const R speed = foot.along.rate(way), place = foot.along.height(local);
-  first.offer(select(within, R(0), foot.to_end(place, speed)), speed, foot.along.rate(turn));
+  first.offer(select(within, R(0), foot.to_end(place, speed)), speed, foot.along.rate(turn),
+              foot.along.normal());
   const R out = foot.out.height(local), out_rate = foot.out.rate(way),
           out_turn = foot.out.rate(turn);
-  first.offer(out - foot.beyond, out_rate, out_turn);
+  first.offer(out - foot.beyond, out_rate, out_turn, foot.out.normal());
   if (any(within)) {
     // Over the polygon all edges may be next; behind it those that are as near as the nearest.
-    const auto also = [&](R its, R of_nearest) { return its - select(behind, of_nearest, R(0)); };
+    const R less = select(behind, R(1), R(0));
+    const auto also = [&](auto its, auto of_nearest) { return its - of_nearest * less; };
     FirstPlane<R> inner = first;
-    inner.offer(local.z, way.z, turn.z);
+    inner.offer(local.z, way.z, turn.z, {R(0), R(0), R(1)});
     for (int k = 0; k < gate.outline->count; ++k) {
       const auto edge = LaneLine<R>::outside(gate.outline->edges[k]);
       inner.offer(also(edge.height(local), out), also(edge.rate(way), out_rate),
-                  also(edge.rate(turn), out_turn));
+                  also(edge.rate(turn), out_turn), also(edge.normal(), foot.out.normal()));
     }
     first.take(within, inner);
   }
@@ -280,7 +284,10 @@ template <class R, class Gate>
   const Vec3<R> at = from + (rate + bent * (straight * R(0.5))) * straight;
   const R more = (R(gate.reach2) - dot(at, at)) / (R(2) * dot(at, rate + bent * straight));
   const R ends = select(abs(more) < straight * R(0.5), straight + more, straight);
-  return min(select(features, first.along_the_curve(), R(never)), ends);
+  LaneBorder<R> border = first.along_the_curve();
+  border.at = select(features, border.at, R(never));
+  border.offer(ends);
+  return border;
 }
 
 }  // namespace portalens

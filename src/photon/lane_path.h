@@ -123,6 +123,21 @@ struct LanePath {
     sway = R(1.25) * stray;
   }
 
+  /// Goes on to a share of itself, which may be a little more than 1.
+  void stretch(R share) {
+    const R share2 = share * share;
+    place.c1 = place.c1 * share;
+    place.c2 = place.c2 * share2;
+    place.c3 = place.c3 * (share2 * share);
+    place.c4 = place.c4 * (share2 * share2);
+    place.c5 = place.c5 * (share2 * share2 * share);
+    const R more = max(share, R(1));
+    h = h * share;
+    turn = turn * more;
+    stray = stray * (more * more);
+    sway = sway * (more * more);
+  }
+
   /// The path of one lane, in all.
   [[nodiscard]] LanePath of(int lane) const {
     LanePath one(*this);

@@ -22,6 +22,13 @@ Vec3<R> to_axes(Vec3<R> d, LaneVec right, LaneVec up, LaneVec normal) {
   return {dot(d, spread<R>(right)), dot(d, spread<R>(up)), dot(d, spread<R>(normal))};
 }
 
+/// A direction from the axes of a face.
+template <class R, class Face>
+Vec3<R> to_world(const Face& face, Vec3<R> local) {
+  const Vec3<R> level = multiply_add(spread<R>(face.up), local.y, spread<R>(face.right) * local.x);
+  return multiply_add(spread<R>(face.normal), local.z, level);
+}
+
 /// A place in the local coordinates of a face.
 template <class R>
 Vec3<R> local_in(const LaneFace& face, Vec3<R> x) {
@@ -312,38 +319,41 @@ void offer_borders(FirstMeeting<R>& first, const Rectangle& rectangle, const Lan
 /// @param way        direction, in local coordinates like `local`
 /// @param turn       its rate of change, in the same
 template <class R, class Rectangle>
-[[nodiscard]] R until_other_foot(const Rectangle& rectangle, const LaneFoot<R>& foot,
-                                 typename R::Mask features, Vec3<R> local, Vec3<R> way,
-                                 Vec3<R> turn) {
+[[nodiscard]] LaneBorder<R> until_other_foot(const Rectangle& rectangle, const LaneFoot<R>& foot,
+                                             typename R::Mask features, Vec3<R> local, Vec3<R> way,
+                                             Vec3<R> turn) {
   const R w(rectangle.half_width), h(rectangle.half_height);
+  const Vec3<R> x{R(1), R(0), R(0)}, y{R(0), R(1), R(0)}, z{R(0), R(0), R(1)};
   FirstPlane<R> first;
   // Beside the rectangle its own plane divides nothing.
   const auto inside_x = abs(local.x) <= w, inside_y = abs(local.y) <= h;
   const auto column = inside_x & inside_y;
-  first.offer(select(column, local.z, R(0)), way.z, turn.z);
+  first.offer(select(column, local.z, R(0)), way.z, turn.z, z);
   // From inside the way leads to one of two lines, from outside to the nearer first.
   const R side_x = select(select(inside_x, way.x, local.x) < R(0), -w, w);
   const R side_y = select(select(inside_y, way.y, local.y) < R(0), -h, h);
-  first.offer(local.x - side_x, way.x, turn.x);
-  first.offer(local.y - side_y, way.y, turn.y);
+  first.offer(local.x - side_x, way.x, turn.x, x);
+  first.offer(local.y - side_y, way.y, turn.y, y);
   // Behind the rectangle, the nearest edge changes: at the middle planes and the bisectors.
   const auto behind = column & (local.z < R(0));
   if (any(behind)) {
     const R gap = h - w;
     FirstPlane<R> medial = first;
-    medial.offer(local.x, way.x, turn.x);
-    medial.offer(local.y, way.y, turn.y);
-    medial.offer(local.x - local.y + gap, way.x - way.y, turn.x - turn.y);
-    medial.offer(local.x - local.y - gap, way.x - way.y, turn.x - turn.y);
-    medial.offer(local.x + local.y + gap, way.x + way.y, turn.x + turn.y);
-    medial.offer(local.x + local.y - gap, way.x + way.y, turn.x + turn.y);
+    medial.offer(local.x, way.x, turn.x, x);
+    medial.offer(local.y, way.y, turn.y, y);
+    medial.offer(local.x - local.y + gap, way.x - way.y, turn.x - turn.y, x - y);
+    medial.offer(local.x - local.y - gap, way.x - way.y, turn.x - turn.y, x - y);
+    medial.offer(local.x + local.y + gap, way.x + way.y, turn.x + turn.y, x + y);
+    medial.offer(local.x + local.y - gap, way.x + way.y, turn.x + turn.y, x + y);
     first.take(behind, medial);
   }
   const Vec3<R> from{local.x - foot.x(local), local.y - foot.y(local), local.z};
   const Vec3<R> rate{way.x * (R(1) - foot.keep_x), way.y * (R(1) - foot.keep_y), way.z};
   const R outside = dot(from, from) - R(rectangle.reach2);
-  return min(select(features, first.along_the_curve(), R(never)),
-             until_sphere(-dot(from, rate), outside, dot(rate, rate)));
+  LaneBorder<R> border = first.along_the_curve();
+  border.at = select(features, border.at, R(never));
+  border.offer(until_sphere(-dot(from, rate), outside, dot(rate, rate)));
+  return border;
 }
 
 }  // namespace portalens

@@ -33,12 +33,13 @@ struct LaneMass {
 /// follow.
 inline constexpr int most_lane_steps = 512;
 /// How strictly the steps of a way are judged: they may err by so much less, and are shorter from
-/// the start by the seventh root of that. A way that drifts is taken again more strictly.
+/// the start by the seventh root of that. A way that drifts is taken again more strictly. Of the
+/// strictest steps nearly all drift is rounding, which has either sign: it may be some times more.
 struct LaneStrictness {
-  float judged, shorter;
+  float judged, shorter, drifts;
 };
 inline constexpr LaneStrictness lane_strictness[] = {
-    {1.0f, 1.0f}, {30.0f, 0.615f}, {900.0f, 0.378f}};
+    {1.0f, 1.0f, 1.0f}, {30.0f, 0.615f, 1.0f}, {900.0f, 0.378f, 4.0f}};
 inline constexpr int most_lane_strictness = 2;
 inline constexpr int lane_count = 32;  ///< as many as `LaneStep` has bits
 
@@ -111,6 +112,7 @@ struct LaneGate {
   const LaneOutline* outline;  ///< null where all portals are rectangles
   float tolerance;             ///< heights down to minus this count as in front
   float reach, reach2;
+  float ball;  ///< radius of a ball about the middle out of which it does not act
   LaneVec images[most_lane_masses];  ///< of the masses, in local coordinates
   /// Nearer to an image than the square root of that, light is left to the scalar engine: as
   /// `LaneMass::bare2`, for no horizon acts through portals.
@@ -126,6 +128,7 @@ struct LaneFace {
   float half_width, half_height;
   float tolerance;  ///< heights down to minus this count as in front
   float reach2;
+  float ball;  ///< as of a `LaneGate`
 };
 
 /// One mass of `shortest-path` through one portal. Local coordinates are those of its face.
@@ -203,14 +206,14 @@ struct LaneScene {
   float stiffness_weight, nearness_weight;  ///< of the step, see Radau
   float third_weight, feedback_weight;      ///< of the step's roughness, see Radau
   float tolerance;                          ///< of the scene's physics, radians
-  float most_drift;                         ///< of a way that lanes may follow, radians
-  float most_absorbed;                      ///< of one that ends in a horizon
-  float ahead;         ///< the place that decides what acts lies this far ahead
-  float overshoot;     ///< a step ends this far past a boundary
-  float farthest;      ///< no step in the field is longer
-  float graze2;        ///< square of half a chord: who grazes a lone mass by less is not turned
-  float radius;        ///< all there is lies in a ball of that about the centre
-  float flight_limit;  ///< floats are too coarse for a flight that begins further out
+  float most_drift;     ///< of a way that lanes may follow, radians; by its `LaneStrictness` more
+  float most_absorbed;  ///< of one that ends in a horizon
+  float ahead;          ///< the place that decides what acts lies this far ahead
+  float overshoot;      ///< a step ends this far past a boundary
+  float farthest;       ///< no step in the field is longer
+  float graze2;         ///< square of half a chord: who grazes a lone mass by less is not turned
+  float radius;         ///< all there is lies in a ball of that about the centre
+  float flight_limit;   ///< floats are too coarse for a flight that begins further out
   float max_length, max_turning, max_steps;
   LaneMass masses[most_lane_masses];
   LaneCrowd crowd;  ///< then `masses` are none
@@ -251,8 +254,9 @@ struct alignas(64) Lanes {
   float x[lane_count], y[lane_count], z[lane_count];
   float tx[lane_count], ty[lane_count], tz[lane_count];
   float length[lane_count], turning[lane_count], steps[lane_count];
-  float longest[lane_count];  ///< of the next step: what the error of the last allows
-  float judged[lane_count];   ///< its `LaneStrictness`
+  float longest[lane_count];     ///< of the next step: what the error of the last allows
+  float judged[lane_count];      ///< its `LaneStrictness`
+  float most_drift[lane_count];  ///< radians: a way that drifts further is taken again
   float shorter[lane_count];
   float astray[lane_count];         ///< its `Drift`: of its place,
   float askew[lane_count];          ///< and of its direction

@@ -6,8 +6,9 @@
 #include <utility>
 
 #include "gravity/way_formulas.h"
-#include "photon/lane_field.h"
+#include "photon/lane_pull.h"
 #include "photon/lane_rectangle.h"
+#include "photon/lane_scene.h"
 
 namespace portalens {
 
@@ -52,7 +53,7 @@ class LaneShortestPath {
   }
 
   /// Looked for at quarters of the step, then by halving: where ways change has no closed form.
-  [[nodiscard]] R boundary(Vec3<R> x, Vec3<R> t, Vec3<R> bend, R limit) const {
+  [[nodiscard]] LaneBorder<R> boundary(Vec3<R> x, Vec3<R> t, Vec3<R> bend, Mask, R limit) const {
     const R far = min(limit, R(scene_.farthest));
     const auto at = [&](R s) { return x + t * s + bend * (s * s * R(0.5)); };
     R good(0), bad = far;
@@ -64,17 +65,19 @@ class LaneShortestPath {
       changed = changed | now;
       good = select(changed, good, s);
     }
-    if (!any(changed)) return R(never);
+    LaneBorder<R> first;
+    if (!any(changed)) return first;
     for (int k = 0; k < halvings; ++k) {
       const R middle = (good + bad) * R(0.5);
       const Mask now = differs(at(middle));
       bad = select(now, middle, bad);
       good = select(now, good, middle);
     }
-    return select(changed, bad, R(never));
+    first.at = select(changed, bad, R(never));
+    return first;
   }
 
-  /// As in `LaneField`: by halving, as `boundary`. Where what is the same at two looks may have
+  /// As in `LaneMasses`: by halving, as `boundary`. Where what is the same at two looks may have
   /// been another between them, that is looked for there.
   void find_changes(FirstMeeting<R>& first, Mask which, const LanePath<R>& path, R over) const {
     const LaneLooks<R> looks(path, over);
@@ -134,7 +137,7 @@ class LaneShortestPath {
     first.share = select(changed, min(first.share, bad), first.share);
   }
 
-  /// As of `LaneField`; ways over the rim are longer than straight ones.
+  /// As of `LaneMasses`; ways over the rim are longer than straight ones.
   [[nodiscard]] Mask too_near(Vec3<R> x) const {
     Mask found = R(1) < R(0);
     if (!scene_.bare_through) return found;
@@ -150,6 +153,7 @@ class LaneShortestPath {
   }
 
   static constexpr bool sees_borders_far_off = false;
+  static constexpr bool foresees_planes = false;
 
  private:
   static constexpr int halvings = 14, seeks = 4;

@@ -7,9 +7,10 @@
 #include "photon/lane_coupled.h"
 #include "photon/lane_crossing.h"
 #include "photon/lane_crowd.h"
-#include "photon/lane_field.h"
 #include "photon/lane_finding.h"
+#include "photon/lane_gates.h"
 #include "photon/lane_graviton_map.h"
+#include "photon/lane_masses.h"
 #include "photon/lane_outline.h"
 #include "photon/lane_path.h"
 #include "photon/lane_scene.h"
@@ -17,7 +18,7 @@
 
 namespace portalens {
 
-/// @tparam F  the field: `LaneField`, or what has its members
+/// @tparam F  the field: `LaneMasses`, or what has its members
 template <class R, class F>
 class LaneStepper {
  public:
@@ -40,9 +41,9 @@ class LaneStepper {
     const V bend = turning_part(start.acceleration, t);
     const Mask flies = !field.acting;
     const R most = min(longest(x, start, flies), select(flies, R(never), read(lanes_.longest)));
-    const R border = field.boundary(x, t, bend, most);
+    const LaneBorder<R> border = field.boundary(x, t, bend, most);
     // What is decided holds from slightly ahead on: a border nearer than that is past.
-    R h = min(most, max(border + R(scene_.overshoot), R(scene_.ahead)));
+    R h = min(most, max(border.at + R(scene_.overshoot), R(scene_.ahead)));
     // Scenes without lone masses pay for a branch.
     const bool has_lone = scene_.lone_count > 0;
     LaneCrossing<R> lone(scene_);
@@ -61,6 +62,8 @@ class LaneStepper {
     const R error = Radau::roughness(Radau::doubt(here, bends, h, path.turn), pull2, start.gradient,
                                      h, R(scene_.third_weight), R(scene_.feedback_weight));
     const R roughness = error * read(lanes_.judged);
+    if constexpr (F::foresees_planes)
+      mend_length(border, most, (!flies) & (roughness <= R(Radau::smooth)), path, end, h);
     R next(never);
     if (any(roughness > R(Radau::smooth)))
       next = select(flies, next, Radau::longest_after(h, roughness, next));
@@ -68,8 +71,9 @@ class LaneStepper {
     Mask again = live & !(flies | winds) & (roughness > R(Radau::roughest));
     if constexpr (F::may_lack_room) again = again & !field.lacks_room;
     LaneFinding<R> found;
-    R doubtful = select(
-        flies & (span(x) > R(F::sees_borders_far_off ? scene_.flight_limit : -1.0f)), R(1), R(0));
+    Mask doubtful = flies & (span(x) > R(F::sees_borders_far_off ? scene_.flight_limit : -1.0f));
+    // Out there nothing is ahead of a way that leads further out.
+    if (F::sees_borders_far_off && any(doubtful)) doubtful = doubtful & (dot(x, t) < R(0));
     Mask resigns = live & (winds | field.too_near(x) |
                            // Steps as short as borders are found exactly have no place here.
                            ((!flies) & (most < R(4) * R(scene_.overshoot))));
@@ -79,15 +83,13 @@ class LaneStepper {
     find_spheres(path, found);
     R clear = read(lanes_.clear) - h;
     find_boxes(path, end, clear, doubtful);
-    if (has_lone) doubtful = select(lone.inside | (lone.enters & may_end_within()), R(1), doubtful);
-
-    if constexpr (F::may_lack_room) doubtful = select(field.lacks_room, R(1), doubtful);
+    if (has_lone) doubtful = doubtful | lone.inside | (lone.enters & may_end_within());
+    if constexpr (F::may_lack_room) doubtful = doubtful | field.lacks_room;
 
     again = again & !resigns;
     path.met = min(found.share, R(1));
-    find_change(path, field, live & !(flies | again | resigns | (doubtful > R(0))), found,
-                doubtful);
-    const Mask consults = live & (doubtful > R(0)) & !(again | resigns);
+    find_change(path, field, live & !(flies | again | resigns | doubtful), found, doubtful);
+    const Mask consults = live & doubtful & !(again | resigns);
     Mask ends = (found.share <= R(1)) & live & !(consults | again | resigns);
     // Within a step a path is not as exact as at its end: where that counts, it is gone again.
     const Mask cut = ends & !flies & (roughness > R(Radau::smooth)) & (found.share < R(0.98)) &
@@ -98,7 +100,7 @@ class LaneStepper {
       ends = ends & !cut;
     }
     Mask escapes =
-        live & flies & (border >= R(never)) & !(found.share <= R(1)) & !(consults | resigns);
+        live & flies & (border.at >= R(never)) & !(found.share <= R(1)) & !(consults | resigns);
     if (has_lone) {
       lone.enters = live & lone.enters & !(consults | resigns | ends);
       escapes = escapes & !lone.enters;
@@ -156,7 +158,7 @@ class LaneStepper {
     // A way may drift until it is known where it leads: one that is swallowed tells no direction.
     const Mask tells = (event > R(0)) & !(event == code(LaneEvent::horizon));
     const Mask drifts =
-        live & (drifted > select(tells, R(scene_.most_drift), R(scene_.most_absorbed)));
+        live & (drifted > select(tells, read(lanes_.most_drift), R(scene_.most_absorbed)));
     event = select(resigns | drifts, code(LaneEvent::resign), event);
     event.store(lanes_.event + first_);
     found.object.store(lanes_.object + first_);
@@ -206,10 +208,27 @@ class LaneStepper {
                   min(proposed * read(lanes_.shorter), R(scene_.farthest)));
   }
 
+  /// A border was foreseen as if the way bent evenly. A step that ends a little before or past the
+  /// plane that it was to end behind, ends there now: as near to its end its path is as exact.
+  /// @param most  how long a step may be
+  void mend_length(const LaneBorder<R>& border, R most, Mask may, LanePath<R>& path,
+                   StateOf<R>& end, R& h) const {
+    constexpr double most_share = 1.0 / 32.0;
+    const R height = border.height + dot(end.position - path.place.c0, border.normal);
+    const R more = R(scene_.overshoot) - height / dot(end.direction, border.normal);
+    const Mask mends = may & (border.at < h) & (abs(more) < h * R(most_share)) &
+                       (h + more <= most) & (h > R(64) * R(scene_.overshoot));
+    if (!any(mends)) return;
+    path.stretch(select(mends, R(1) + more / h, R(1)));
+    end = {choose(mends, path.place.at(R(1)), end.position),
+           choose(mends, unit(path.place.slope(R(1)) * (R(1) / path.h)), end.direction)};
+    h = path.h;
+  }
+
   /// Ends the step where what acts changes, if `boundary` has not foreseen it. A straight flight
   /// ends where it has.
   void find_change(const LanePath<R>& path, const F& field, Mask which, LaneFinding<R>& found,
-                   R& doubtful) const {
+                   Mask& doubtful) const {
     if (!any(which)) return;
     const R over(scene_.overshoot);
     FirstMeeting<R> first;
@@ -217,7 +236,7 @@ class LaneStepper {
     // soon.
     const Mask soon = (found.share <= R(1)) & (path.met * path.h < R(8) * R(scene_.ahead));
     field.find_changes(first, which & (path.h > R(8) * over) & !soon, path, over);
-    doubtful = select(first.missed, R(1), doubtful);
+    doubtful = doubtful | first.missed;
     // So close before what it meets, a step's end might be rounded to behind that.
     const R past = first.share + over / path.h;
     const Mask apart = past + R(8) * R(scene_.ahead) / path.h < found.share;
@@ -232,12 +251,15 @@ class LaneStepper {
         resigns = resigns | (field.distance2(i) < R(mass.bare2));
         continue;
       }
-      // Straight on, as far as it may stray from that.
       const R ahead = field.ahead(i), distance2 = field.distance2(i);
-      const R reach = path.h + R(mass.horizon), aside = path.stray + R(mass.horizon);
-      const Mask towards =
-          (ahead > R(0)) & (distance2 < reach * reach) &
-          (subtract_product(distance2 * R(0.999999), ahead, ahead) < aside * aside);
+      const R reach = path.h + R(mass.horizon);
+      Mask towards = (ahead > R(0)) & (distance2 < reach * reach);
+      // A straight flight ends where an influence begins.
+      if (mass.influence > mass.horizon) towards = towards & field.acting;
+      if (!any(towards)) continue;
+      // Straight on, as far as it may stray from that.
+      const R aside = path.stray + R(mass.horizon);
+      towards = towards & (subtract_product(distance2 * R(0.999999), ahead, ahead) < aside * aside);
       if (!any(towards)) continue;
       const V center = spread<R>(mass.center);
       const V last = end.position - center;
@@ -277,7 +299,7 @@ class LaneStepper {
       if (portal.back > 0.0f) crosses = crosses | ((z0 < R(0)) & (z1 >= slack));
       if (!any(crosses)) continue;
       const R u =
-          crossing(crosses, path.height(z0, normal), max(z0, R(0)) / select(crosses, z0 - z1, R(1)),
+          crossing(crosses, path.height(z0, normal), max(z0 / select(crosses, z0 - z1, R(1)), R(0)),
                    select(z1 < R(0), R(1), R(-1)), R(0), R(1));
       const V d = path.place.at(u) - origin;
       const R x = dot(d, spread<R>(portal.right)), y = dot(d, spread<R>(portal.up));
@@ -288,7 +310,7 @@ class LaneStepper {
   }
 
   void find_polygons(const LanePath<R>& path, const StateOf<R>& end, LaneFinding<R>& found,
-                     R& doubtful) const {
+                     Mask& doubtful) const {
     const R departed = read(lanes_.departed), side = read(lanes_.departed_side);
     const bool leaves = any((departed > R(-1)) | (departed < R(-1)));
     const R sagitta = span(end.direction * path.h - path.place.c1) * R(0.25);
@@ -298,7 +320,7 @@ class LaneStepper {
       R z0 = dot(path.place.c0, normal) - R(polygon.distance);
       const R z1 = dot(end.position, normal) - R(polygon.distance);
       if (leaves) z0 = select(departed == R(polygon.leaves), side * R(1e-20f * polygon.facing), z0);
-      const Mask crosses = ((z0 > R(0)) & (z1 <= R(0))) | ((z0 <= R(0)) & (z1 > R(0)));
+      const Mask crosses = (z0 > R(0)) ^ (z1 > R(0));
       const Mask near = min(abs(z0), abs(z1)) < sagitta;
       if (!any(crosses | near)) continue;
       // Both ends on one side, first towards the plane, then away: it may dip through between.
@@ -316,7 +338,7 @@ class LaneStepper {
             within &
             (dot(at, spread<R>(polygon.edge_normal[k])) - R(polygon.edge_distance[k]) >= -slack);
       found.offer(crosses & within, u, LaneEvent::hit, R(polygon.shape));
-      doubtful = select(dips & within, R(1), doubtful);
+      doubtful = doubtful | (dips & within);
     }
   }
 
@@ -348,7 +370,7 @@ class LaneStepper {
     }
   }
 
-  void find_boxes(const LanePath<R>& path, const StateOf<R>& end, R clear, R& doubtful) const {
+  void find_boxes(const LanePath<R>& path, const StateOf<R>& end, R clear, Mask& doubtful) const {
     if (scene_.box_count == 0) return;
     const Mask needed = clear < R(0);
     if (!any(needed)) return;
@@ -362,7 +384,7 @@ class LaneStepper {
       cut(R(box.low.x) - slack - from.x, R(box.high.x) + slack - from.x, inverse.x, low, high);
       cut(R(box.low.y) - slack - from.y, R(box.high.y) + slack - from.y, inverse.y, low, high);
       cut(R(box.low.z) - slack - from.z, R(box.high.z) + slack - from.z, inverse.z, low, high);
-      doubtful = select(needed & (low <= high), R(1), doubtful);
+      doubtful = doubtful | (needed & (low <= high));
     }
   }
 
@@ -396,9 +418,11 @@ std::uint32_t step_lanes(const LaneScene& scene, Lanes& lanes) {
   if (scene.way_count > 0)
     return step_lanes_in<R, LaneCoupled<R, LaneShortestPath<R>>>(scene, lanes);
   if (scene.gate_count > 0 && scene.outline_count > 0)
-    return step_lanes_in<R, LaneField<R, LaneOutlineFoot<R>>>(scene, lanes);
+    return step_lanes_in<R, LaneCoupled<R, LaneGates<R, LaneOutlineFoot<R>>>>(scene, lanes);
+  if (scene.gate_count > 0)
+    return step_lanes_in<R, LaneCoupled<R, LaneGates<R, LaneFoot<R>>>>(scene, lanes);
   if (scene.crowd.count > 0) return step_lanes_in<R, LaneCrowdField<R>>(scene, lanes);
-  return step_lanes_in<R, LaneField<R>>(scene, lanes);
+  return step_lanes_in<R, LaneMasses<R>>(scene, lanes);
 }
 
 }  // namespace portalens

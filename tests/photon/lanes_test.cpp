@@ -180,6 +180,50 @@ TEST(Lanes, LeaveAnInfluenceThatTheyGrazeWhereItEnds) {
   EXPECT_EQ(off, 0);
 }
 
+TEST(Lanes, FlyOutOfASceneInOneStep) {
+  for (const char* coupling : {"closest-point", "graviton-map"}) {
+    const Space space = busy_space(coupling, 1);
+    ASSERT_TRUE(space.lanes);
+    Random random(19);
+    std::vector<Photon> photons;
+    for (int i = 0; i < scaled(1000); ++i) {
+      // Away from a place within the scene, from out of it.
+      const Vec3d away = normalize(random.point(1.0));
+      photons.push_back(photon_at(random.point(2.0) + away * random.uniform(60, 200), away));
+    }
+    std::vector<Arrival> arrivals(photons.size());
+    advance(space, photons, arrivals);
+    for (const Arrival& arrival : arrivals) {
+      ASSERT_EQ(arrival.fate, Fate::escaped) << coupling;
+      ASSERT_LE(arrival.steps, 1u) << coupling;
+      ASSERT_EQ(arrival.handed_over, 0u) << coupling;
+    }
+  }
+}
+
+/// A step that ends a little before the border that it was to end behind needs another one for the
+/// rest. Of planes hardly any is left, of the borders of what is within reach most.
+TEST(Lanes, EndStepsBehindTheBordersThatTheyForesee) {
+  const Space space = busy_space("closest-point", 1);
+  const auto photons = camera_photons(scaled(4000));
+  std::vector<Arrival> arrivals(photons.size());
+  std::vector<Trail> trails(photons.size());
+  advance_with_trails(space, photons, arrivals, trails);
+  int steps = 0, rests = 0;
+  for (const Trail& trail : trails) {
+    if (!trail.known()) continue;
+    const auto points = trail.points();
+    for (std::size_t k = 2; k < points.size(); ++k) {
+      ++steps;
+      const double before = points[k - 1].length - points[k - 2].length;
+      const double length = points[k].length - points[k - 1].length;
+      rests += length < before / 40.0 && length > before / 4000.0 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(steps, 10 * static_cast<int>(photons.size()) / 4);
+  EXPECT_LT(rests, steps / 10);
+}
+
 /// Light that would come nearer than e m winds into a mass without a horizon, and never comes back.
 TEST(Lanes, FollowLightThatWindsIntoABareMass) {
   const Physics physics = physics_with(1e-4, 0.05);
