@@ -94,7 +94,8 @@ struct LaneMasses {
                     R over) const {
     for (int i = 0; i < scene.mass_count; ++i) {
       if (!near_border[i]) continue;
-      const auto may = which & may_pass_border(path, i);
+      auto may = which & may_pass_border(path, i);
+      if (any(may)) may = may & !passes_none_sooner(path, over, i);
       if (any(may)) find_border(first, may, path, over, i);
     }
   }
@@ -119,6 +120,21 @@ struct LaneMasses {
     return (within & (squares[i] > inner * inner)) |
            ((!within) & (ahead + path.stray > R(0)) & (squares[i] < outer * outer) &
             (subtract_product(squares[i], ahead, ahead) < aside * aside));
+  }
+
+  /// True only where the path passes the border of an influence not before its last two `over`,
+  /// as steps do that were to end there. Where it bends less than a circle about the middle would,
+  /// the square of the distance from there is convex along it, and its second derivative below 4.
+  [[nodiscard]] typename R::Mask passes_none_sooner(const LanePath<R>& path, R over, int i) const {
+    const LaneMass& mass = scene.masses[i];
+    const Vec3<R> last = path.end.position - spread<R>(mass.center);
+    const R outside = dot(last, last) - R(mass.influence2);
+    const R gains = R(4) * over * dot(last, path.end.direction);  // the square, over that
+    const auto within = inside[i] > R(0);
+    const auto convex = path.turn * (R(mass.influence) + path.h) < path.h;
+    const auto leaves_late = outside <= max(gains - R(8) * over * over, R(0));
+    const auto enters_late = (gains < R(0)) & (outside >= gains);
+    return convex & ((within & leaves_late) | (enters_late & !within));
   }
 
   /// Where the path enters or leaves the influence of a mass.

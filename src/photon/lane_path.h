@@ -25,6 +25,11 @@ Vec3<R> unit(Vec3<R> v) {
   return v * scale;
 }
 
+template <class R>
+Vec3<R> choose(typename R::Mask which, Vec3<R> a, Vec3<R> b) {
+  return {select(which, a.x, b.x), select(which, a.y, b.y), select(which, a.z, b.z)};
+}
+
 /// What one lane holds, in all.
 template <class R>
 R of_lane(R values, int lane) {
@@ -100,6 +105,7 @@ template <class R>
 struct LanePath {
   using V = Vec3<R>;
   LaneQuintic<R, V> place;
+  StateOf<R> end;  ///< a little more exact than `place` is there
   R h;
   R turn;   ///< the most that it turns by
   R stray;  ///< how far the path can be from the straight way along its first direction
@@ -108,8 +114,10 @@ struct LanePath {
   R sway;
   R met{1};  ///< the share at which it meets something: what is past that does not matter
 
-  LanePath(const StateOf<R>& start, const Bends<R>& bends, R length) : h(length) {
+  LanePath(const StateOf<R>& start, const Bends<R>& bends, R length)
+      : end(Radau::end(start, bends, length)), h(length) {
     using radau_details::polynomial;
+    end.direction = unit(end.direction);
     const R h2 = h * h;
     place.c0 = start.position;
     place.c1 = start.direction * h;
@@ -123,9 +131,9 @@ struct LanePath {
     sway = R(1.25) * stray;
   }
 
-  /// Goes on to a share of itself, which may be a little more than 1.
-  void stretch(R share) {
-    const R share2 = share * share;
+  /// Goes on, in some lanes, to a share of itself, which may be a little more than 1.
+  void stretch(typename R::Mask where, R to) {
+    const R share = select(where, to, R(1)), share2 = share * share;
     place.c1 = place.c1 * share;
     place.c2 = place.c2 * share2;
     place.c3 = place.c3 * (share2 * share);
@@ -136,6 +144,8 @@ struct LanePath {
     turn = turn * more;
     stray = stray * (more * more);
     sway = sway * (more * more);
+    const V last = place.at(R(1)), way = unit(place.slope(R(1)) * (R(1) / h));
+    end = {choose(where, last, end.position), choose(where, way, end.direction)};
   }
 
   /// The path of one lane, in all.
@@ -144,6 +154,7 @@ struct LanePath {
     for (V* c :
          {&one.place.c0, &one.place.c1, &one.place.c2, &one.place.c3, &one.place.c4, &one.place.c5})
       *c = of_lane(*c, lane);
+    for (V* v : {&one.end.position, &one.end.direction}) *v = of_lane(*v, lane);
     for (R* value : {&one.h, &one.turn, &one.stray, &one.sway, &one.met})
       *value = of_lane(*value, lane);
     return one;

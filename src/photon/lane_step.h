@@ -54,8 +54,6 @@ class LaneStepper {
     const auto acceleration = [&](V place) { return field.acceleration(place); };
     const StateOf<R> here{x, t};
     const Bends<R> bends = Radau::bends(acceleration, here, start.acceleration, h);
-    StateOf<R> end = Radau::end(here, bends, h);
-    end.direction = unit(end.direction);
     LanePath<R> path(here, bends, h);
     const R pull2 = dot(start.acceleration, start.acceleration);
     // What the step errs by, as a multiple of what the scene allows, and of what this way may.
@@ -63,7 +61,7 @@ class LaneStepper {
                                      h, R(scene_.third_weight), R(scene_.feedback_weight));
     const R roughness = error * read(lanes_.judged);
     if constexpr (F::foresees_planes)
-      mend_length(border, most, (!flies) & (roughness <= R(Radau::smooth)), path, end, h);
+      mend_length(border, most, (!flies) & (roughness <= R(Radau::smooth)), path, h);
     R next(never);
     if (any(roughness > R(Radau::smooth)))
       next = select(flies, next, Radau::longest_after(h, roughness, next));
@@ -77,12 +75,12 @@ class LaneStepper {
     Mask resigns = live & (winds | field.too_near(x) |
                            // Steps as short as borders are found exactly have no place here.
                            ((!flies) & (most < R(4) * R(scene_.overshoot))));
-    find_horizons(path, end, field, found, resigns);
-    find_portals(path, end, found);
-    find_polygons(path, end, found, doubtful);
+    find_horizons(path, field, found, resigns);
+    find_portals(path, found);
+    find_polygons(path, found, doubtful);
     find_spheres(path, found);
     R clear = read(lanes_.clear) - h;
-    find_boxes(path, end, clear, doubtful);
+    find_boxes(path, clear, doubtful);
     if (has_lone) doubtful = doubtful | lone.inside | (lone.enters & may_end_within());
     if constexpr (F::may_lack_room) doubtful = doubtful | field.lacks_room;
 
@@ -108,7 +106,7 @@ class LaneStepper {
     const Mask stays = consults | resigns | escapes | again | !live;
     select(live, next, R(never)).store(lanes_.longest + first_);
 
-    V x1 = end.position, t1 = end.direction;
+    V x1 = path.end.position, t1 = path.end.direction;
     R length = h;
     if (any(ends)) {
       const R u = select(ends, found.share, R(1));
@@ -188,10 +186,6 @@ class LaneStepper {
     return select(stays, before.direction, after.direction);
   }
   [[nodiscard]] static R code(LaneEvent event) { return R(static_cast<int>(event)); }
-  [[nodiscard]] static V choose(Mask which, V a, V b) {
-    return {select(which, a.x, b.x), select(which, a.y, b.y), select(which, a.z, b.z)};
-  }
-
   /// Whether a way may reach a limit before it has crossed the influence of a lone mass.
   [[nodiscard]] Mask may_end_within() const {
     constexpr double most_turned = 1.6;  // by one mass
@@ -211,17 +205,14 @@ class LaneStepper {
   /// A border was foreseen as if the way bent evenly. A step that ends a little before or past the
   /// plane that it was to end behind, ends there now: as near to its end its path is as exact.
   /// @param most  how long a step may be
-  void mend_length(const LaneBorder<R>& border, R most, Mask may, LanePath<R>& path,
-                   StateOf<R>& end, R& h) const {
+  void mend_length(const LaneBorder<R>& border, R most, Mask may, LanePath<R>& path, R& h) const {
     constexpr double most_share = 1.0 / 32.0;
-    const R height = border.height + dot(end.position - path.place.c0, border.normal);
-    const R more = R(scene_.overshoot) - height / dot(end.direction, border.normal);
+    const R height = border.height + dot(path.end.position - path.place.c0, border.normal);
+    const R more = R(scene_.overshoot) - height / dot(path.end.direction, border.normal);
     const Mask mends = may & (border.at < h) & (abs(more) < h * R(most_share)) &
                        (h + more <= most) & (h > R(64) * R(scene_.overshoot));
     if (!any(mends)) return;
-    path.stretch(select(mends, R(1) + more / h, R(1)));
-    end = {choose(mends, path.place.at(R(1)), end.position),
-           choose(mends, unit(path.place.slope(R(1)) * (R(1) / path.h)), end.direction)};
+    path.stretch(mends, R(1) + more / h);
     h = path.h;
   }
 
@@ -243,8 +234,8 @@ class LaneStepper {
     found.offer((first.share <= R(1)) & apart, past, LaneEvent::none, R(-1));
   }
 
-  void find_horizons(const LanePath<R>& path, const StateOf<R>& end, const F& field,
-                     LaneFinding<R>& found, Mask& resigns) const {
+  void find_horizons(const LanePath<R>& path, const F& field, LaneFinding<R>& found,
+                     Mask& resigns) const {
     for (int i = 0; i < field.mass_count(); ++i) {
       const LaneMass& mass = field.mass(i);
       if (mass.horizon < 0.0f) {
@@ -262,7 +253,7 @@ class LaneStepper {
       towards = towards & (subtract_product(distance2 * R(0.999999), ahead, ahead) < aside * aside);
       if (!any(towards)) continue;
       const V center = spread<R>(mass.center);
-      const V last = end.position - center;
+      const V last = path.end.position - center;
       Mask falls = towards & (dot(last, last) <= R(mass.horizon2));
       const LaneDistance<R> outside{path, center, R(mass.horizon2)};
       R inside(1);
@@ -280,14 +271,14 @@ class LaneStepper {
     }
   }
 
-  void find_portals(const LanePath<R>& path, const StateOf<R>& end, LaneFinding<R>& found) const {
+  void find_portals(const LanePath<R>& path, LaneFinding<R>& found) const {
     const R departed = read(lanes_.departed), side = read(lanes_.departed_side);
     const bool leaves = any(departed <= R(first_departed_plane));
     for (int p = 0; p < scene_.portal_count; ++p) {
       const LanePortal& portal = scene_.portals[p];
       const V normal = spread<R>(portal.normal), origin = spread<R>(portal.origin);
       R z0 = dot(path.place.c0 - origin, normal);
-      const R z1 = dot(end.position - origin, normal);
+      const R z1 = dot(path.end.position - origin, normal);
       // What has just left its plane may lie a float's rounding on the other side of it.
       R slack(0);
       if (leaves) {
@@ -309,22 +300,21 @@ class LaneStepper {
     }
   }
 
-  void find_polygons(const LanePath<R>& path, const StateOf<R>& end, LaneFinding<R>& found,
-                     Mask& doubtful) const {
+  void find_polygons(const LanePath<R>& path, LaneFinding<R>& found, Mask& doubtful) const {
     const R departed = read(lanes_.departed), side = read(lanes_.departed_side);
     const bool leaves = any((departed > R(-1)) | (departed < R(-1)));
-    const R sagitta = span(end.direction * path.h - path.place.c1) * R(0.25);
+    const R sagitta = span(path.end.direction * path.h - path.place.c1) * R(0.25);
     for (int p = 0; p < scene_.polygon_count; ++p) {
       const LanePolygon& polygon = scene_.polygons[p];
       const V normal = spread<R>(polygon.normal);
       R z0 = dot(path.place.c0, normal) - R(polygon.distance);
-      const R z1 = dot(end.position, normal) - R(polygon.distance);
+      const R z1 = dot(path.end.position, normal) - R(polygon.distance);
       if (leaves) z0 = select(departed == R(polygon.leaves), side * R(1e-20f * polygon.facing), z0);
       const Mask crosses = (z0 > R(0)) ^ (z1 > R(0));
       const Mask near = min(abs(z0), abs(z1)) < sagitta;
       if (!any(crosses | near)) continue;
       // Both ends on one side, first towards the plane, then away: it may dip through between.
-      const R s0 = dot(path.place.c1, normal), s1 = dot(end.direction, normal);
+      const R s0 = dot(path.place.c1, normal), s1 = dot(path.end.direction, normal);
       const Mask dips = near & !crosses & (z0 * s0 < R(0)) & (z1 * s1 > R(0));
       Mask within = (crosses | dips) &
                     path.may_touch(path.place.c0 - spread<R>(polygon.middle), R(polygon.radius));
@@ -370,12 +360,12 @@ class LaneStepper {
     }
   }
 
-  void find_boxes(const LanePath<R>& path, const StateOf<R>& end, R clear, Mask& doubtful) const {
+  void find_boxes(const LanePath<R>& path, R clear, Mask& doubtful) const {
     if (scene_.box_count == 0) return;
     const Mask needed = clear < R(0);
     if (!any(needed)) return;
     // The share of the chord that lies between the planes of each pair; the curve strays from it.
-    const V from = path.place.c0, chord = end.position - from;
+    const V from = path.place.c0, chord = path.end.position - from;
     const R slack = path.stray;
     const V inverse{inverse_of(chord.x), inverse_of(chord.y), inverse_of(chord.z)};
     for (int i = 0; i < scene_.box_count; ++i) {
