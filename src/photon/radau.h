@@ -264,7 +264,7 @@ struct Radau {
   /// forms of one mass from near capture to far (tests/photon/closed_forms_test.cpp holds them to
   /// it).
   static constexpr double error_share = 100.0;
-  static constexpr double longest_share = 0.64;
+  static constexpr double longest_share = 0.645;
   /// κ at a tolerance of 1e-4.
   static constexpr double third_share = 0.5;
   /// What is fed back at a roughness of 1 is twice the tolerance, were it all error; and the

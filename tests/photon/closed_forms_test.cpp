@@ -85,8 +85,7 @@ TEST(ClosedForms, BouguersInvariantIsConservedAlongThePath) {
       ASSERT_EQ(at.fate, Fate::hit);
       const double r = length(at.position);
       const double n = std::exp(m / r - m / influence);
-      // Within a step a path is a little less exact than at its end.
-      EXPECT_NEAR(n * length(cross(at.position, at.direction)) / (share * m), 1.0, 2e-9);
+      EXPECT_NEAR(n * length(cross(at.position, at.direction)) / (share * m), 1.0, 1e-9);
     }
   }
 }

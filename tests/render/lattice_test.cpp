@@ -103,8 +103,7 @@ TEST(Lattice, FindsWhatPhotonsFindToHundredthsOfAPixel) {
     ASSERT_EQ(own.crossings, other.crossings);
     if (own.fate == Fate::absorbed) continue;
     misses.push_back(length(own.direction - other.direction) / pixel);
-    // Told from where steps end, which need not be where those of the photons about it do.
-    EXPECT_NEAR(own.turning, other.turning, 2e-3);
+    EXPECT_NEAR(own.turning, other.turning, 1e-3);
     if (own.fate == Fate::escaped) continue;
     misses.push_back(length(own.position - other.position) / own.length / pixel);
     EXPECT_NEAR(own.length, other.length, 1e-3 * own.length);
