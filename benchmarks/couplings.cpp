@@ -1,6 +1,6 @@
-// What does gravity through portals cost, how far is each fast way from what it stands for, and how
-// much work does each way do on a closed lap? Costs are ratios to one pull of one mass, timed in
-// the same run; each coupling is checked before it is timed.
+// What does gravity through portals cost, how far is each fast path from what it stands for, and
+// how much work does each way do on a closed lap? Costs are ratios to one pull of one mass, timed
+// in the same run; each coupling is checked before it is timed.
 //
 //     bench_couplings [--json | --markdown]
 #include <fmt/format.h>
@@ -269,9 +269,10 @@ void measure(const C& coupling, const Stage& stage, int depth, double one_mass, 
 
 int run(const Request& request) {
   const Stage stage = figure_7();
-  Stage lone = stage;
-  lone.masses[0].influence = 1e300;
-  const double one_mass = nanoseconds_of([&](Vec3d x) { return direct(lone, x).x; }, places(4000));
+  Stage isolated = stage;
+  isolated.masses[0].influence = 1e300;
+  const double one_mass =
+      nanoseconds_of([&](Vec3d x) { return direct(isolated, x).x; }, places(4000));
   Table table(fmt::format("one pull through portals, beside one of a mass ({:.2f} ns)", one_mass),
               {{"", "coupling"},
                {"depth", "depth", "{:.0f}"},

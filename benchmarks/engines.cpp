@@ -1,7 +1,7 @@
 // How fast is the program beside the paper's method, and how exact? Every engine's arrivals are
 // compared with a converged scalar run, on 16,384 photons, before its time counts. Times are of one
-// thread, from the camera to the film: photons on their ways, shading, shadows, the sum of samples.
-// The reference runs on every eighth pixel each way, and is scaled.
+// thread, from the camera to the film: photons on their paths, shading, shadows, the sum of
+// samples. The reference runs on every eighth pixel each way, and is scaled.
 //
 //     bench_engines [--json | --markdown] [--size N] [--set key=value ...] [scene ...]
 //
@@ -19,8 +19,8 @@
 #include <string>
 #include <vector>
 
+#include "lanes/engine.h"
 #include "oracle_digest.h"
-#include "photon/engine.h"
 #include "reference/paper_method.h"
 #include "reference_digest.h"
 #include "support/clock.h"
@@ -36,12 +36,12 @@ constexpr int checked_side = 128;  ///< errors are of that number of photons, sq
 constexpr int every = 8;           ///< pixels of the reference
 constexpr double euler_step = 0.02;
 
-using Travel = std::function<void(std::span<const Photon>, std::span<Arrival>)>;
+using RayState = std::function<void(std::span<const Photon>, std::span<Arrival>)>;
 
 /// One way of taking the picture, and what was found about it.
 struct Contestant {
   std::string name;
-  Travel travel;
+  RayState ray_state;
   int every;                         ///< pixels it is timed on
   std::function<void()> picture;     ///< takes them, from camera to film
   std::vector<double> seconds{};     ///< of the whole picture, in each round
@@ -50,7 +50,7 @@ struct Contestant {
   Errors errors{};
 };
 
-Travel engine_of(const Subject& subject, Engine engine) {
+RayState engine_of(const Subject& subject, Engine engine) {
   return [&space = subject.world.space, engine](std::span<const Photon> photons,
                                                 std::span<Arrival> arrivals) {
     advance(space, photons, arrivals, engine);
@@ -68,15 +68,15 @@ Contestant reference_for(const Subject& subject, const Subject& euler) {
     const auto paper =
         std::make_shared<const reference::PaperMethod>(subject.world.space, euler_step, depth);
     reference.name = "the paper's method";
-    reference.travel = [paper](std::span<const Photon> photons, std::span<Arrival> arrivals) {
+    reference.ray_state = [paper](std::span<const Photon> photons, std::span<Arrival> arrivals) {
       for (std::size_t i = 0; i < photons.size(); ++i) arrivals[i] = paper->advance(photons[i]);
     };
   } else {
     reference.name = "Euler's steps, scalar";
-    reference.travel = engine_of(euler, Engine::scalar);
+    reference.ray_state = engine_of(euler, Engine::scalar);
   }
-  reference.picture = [&subject, travel = reference.travel] {
-    (void)take_pixels(subject.world, every, travel);
+  reference.picture = [&subject, ray_state = reference.ray_state] {
+    (void)take_pixels(subject.world, every, ray_state);
   };
   return reference;
 }
@@ -87,19 +87,19 @@ std::optional<Contestant> fewer_photons(const World& world) {
   auto guard = BeamGuard::over(world.space);
   if (!guard) return std::nullopt;
   const auto kept = std::make_shared<const BeamGuard>(std::move(*guard));
-  const Travel travel = [&world, kept](std::span<const Photon> photons,
-                                       std::span<Arrival> arrivals) {
+  const RayState ray_state = [&world, kept](std::span<const Photon> photons,
+                                            std::span<Arrival> arrivals) {
     const double pixels = static_cast<double>(world.film.width) * world.film.height;
     const double step = std::sqrt(pixels / static_cast<double>(photons.size()));
     interpolate(world, *kept, static_cast<int>(std::lround(step)), arrivals);
   };
-  return Contestant{"fewer photons", travel, 1,
+  return Contestant{"fewer photons", ray_state, 1,
                     [&world] { (void)take_picture(world, 1, Engine::automatic, Photons::fewer); }};
 }
 
 std::vector<Contestant> contestants(const Subject& subject, const Subject& euler) {
   std::vector<Contestant> all{reference_for(subject, euler)};
-  const Travel scalar = engine_of(subject, Engine::scalar);
+  const RayState scalar = engine_of(subject, Engine::scalar);
   all.push_back({"scalar", scalar, every,
                  [&subject, scalar] { (void)take_pixels(subject.world, every, scalar); }});
   const World& world = subject.world;
@@ -116,9 +116,9 @@ std::vector<Arrival> arrivals_of(const Contestant& one, bool is_reference, const
   if (is_reference)
     return cache.arrivals(recipe_of(subject) + "reference " PORTALENS_REFERENCE_DIGEST " " +
                               one.name + fmt::format(" {}", euler_step),
-                          photons, one.travel);
+                          photons, one.ray_state);
   std::vector<Arrival> arrivals(photons.size());
-  one.travel(photons, arrivals);
+  one.ray_state(photons, arrivals);
   return arrivals;
 }
 
@@ -150,7 +150,7 @@ void time(std::vector<Contestant>& all, const World& world, int rounds) {
       std::vector<Arrival> arrivals(photons.size());
       one.photon_seconds =
           std::min(one.photon_seconds,
-                   scale * least_time_of(repeats, [&] { one.travel(photons, arrivals); }));
+                   scale * least_time_of(repeats, [&] { one.ray_state(photons, arrivals); }));
     }
 }
 

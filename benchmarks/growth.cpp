@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "io/files.h"
-#include "photon/engine.h"
+#include "lanes/engine.h"
 #include "support/bumpy_sphere.h"
 #include "support/clock.h"
 #include "support/command.h"
@@ -81,7 +81,7 @@ std::string portals(int count) {
 }
 
 /// So many masses that all act on every photon.
-std::string crowd(int count) {
+std::string many(int count) {
   std::string text;
   for (int i = 0; i < count; ++i) {
     const double around = 6.283185307179586 * i / count;
@@ -119,7 +119,7 @@ std::vector<Question> questions(const Request& request) {
        1.0,
        "each pulls at every step, beside what else a step takes",
        {1, 2, 4, 8},
-       [=](int masses) { return stage(128, none) + crowd(masses); }},
+       [=](int masses) { return stage(128, none) + many(masses); }},
       {"portals, depth 1",
        1.0,
        "each is asked at every step, beside what else a step takes",

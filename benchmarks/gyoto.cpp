@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-#include "photon/engine.h"
+#include "lanes/engine.h"
 #include "support/clock.h"
 #include "support/command.h"
 #include "support/picture.h"

@@ -17,8 +17,8 @@
 #include <utility>
 #include <vector>
 
+#include "lanes/engine.h"
 #include "math/random.h"
-#include "photon/engine.h"
 #include "support/clock.h"
 #include "support/command.h"
 #include "support/errors.h"
@@ -34,29 +34,29 @@ constexpr double min_force = 5.0;  ///< so that a horizon is 1/200 of its sphere
 constexpr double pixel = 40.0 * std::numbers::pi / 180.0 / 256;
 
 /// Masses in a box about the origin, that is looked through along -z.
-struct Crowd {
+struct ManyMasses {
   double width, depth;  ///< of the box: width² depth
   std::vector<Vec3d> centers;
   double radius = 0.0;  ///< of each influence
   double dust = 0.0;    ///< radius of a grain in each
 
   /// Side by side, each alone.
-  static Crowd apart(int columns, int rows) {
+  static ManyMasses apart(int columns, int rows) {
     constexpr double distance = 2.1;
-    Crowd crowd;
+    ManyMasses many;
     for (int i = 0; i < columns; ++i)
       for (int j = 0; j < rows; ++j)
-        crowd.centers.push_back({distance * (i - 0.5 * (columns - 1)),
-                                 distance * (j - 0.5 * (rows - 1)), 0.05 * ((i + j) % 3)});
-    crowd.radius = 1.0;
-    crowd.width = distance * columns;
-    crowd.depth = 2.0;
-    return crowd;
+        many.centers.push_back({distance * (i - 0.5 * (columns - 1)),
+                                distance * (j - 0.5 * (rows - 1)), 0.05 * ((i + j) % 3)});
+    many.radius = 1.0;
+    many.width = distance * columns;
+    many.depth = 2.0;
+    return many;
   }
-  Crowd() = default;
+  ManyMasses() = default;
 
   /// Spread evenly.
-  Crowd(int count, double the_width, double the_depth) : width(the_width), depth(the_depth) {
+  ManyMasses(int count, double the_width, double the_depth) : width(the_width), depth(the_depth) {
     // An additive sequence with the powers of the root of x⁴ = x + 1 (Roberts, 2018).
     constexpr double root = 1.2207440846057596;
     for (int i = 1; i <= count; ++i) {
@@ -118,7 +118,7 @@ max_steps = 1000000
   }
 };
 
-/// What was found about one crowd.
+/// What was found about one many masses.
 struct Found {
   double seconds = 0, steps = 0;  ///< a photon
   Errors errors;
@@ -130,8 +130,8 @@ double seconds_a_photon(const Space& space, const std::vector<Photon>& photons) 
          static_cast<double>(photons.size());
 }
 
-Found measure(const std::string& name, const Crowd& crowd, const Request& request) {
-  const Subject subject = generated_subject(request.folder / (name + ".toml"), crowd.toml());
+Found measure(const std::string& name, const ManyMasses& many, const Request& request) {
+  const Subject subject = generated_subject(request.folder / (name + ".toml"), many.toml());
   const Space& space = subject.world.space;
   const auto checked = camera_photons(subject.world, 4);
   std::vector<Arrival> arrivals(checked.size());
@@ -164,10 +164,10 @@ void run_apart(const Request& request) {
                {"mismatch", "mismatch", "{:.3f} %", 100.0}});
   for (const auto& [columns, rows] : {std::pair(1, 1), {2, 4}, {4, 5}, {10, 10}}) {
     const std::string count = fmt::format("{}", columns * rows);
-    Crowd crowd = Crowd::apart(columns, rows);
-    const Found found = measure("masses-apart-" + count, crowd, request);
-    crowd.dust = 1e-5;
-    const Found stepped = measure("masses-dusty-" + count, crowd, request);
+    ManyMasses many = ManyMasses::apart(columns, rows);
+    const Found found = measure("masses-apart-" + count, many, request);
+    many.dust = 1e-5;
+    const Found stepped = measure("masses-dusty-" + count, many, request);
     table.add("masses/apart-" + count,
               {count, 1e6 * found.seconds, 1e6 * stepped.seconds, stepped.seconds / found.seconds,
                found.steps, found.errors.median, found.errors.p99, found.errors.most,
@@ -188,12 +188,12 @@ int run(const Request& request) {
                {"p99 px", "error_p99_px", "{:.2g}"},
                {"max px", "error_max_px", "{:.2g}"},
                {"mismatch", "mismatch", "{:.3f} %", 100.0}});
-  const auto add = [&](const std::string& kind, int count, const Crowd& crowd, double base) {
+  const auto add = [&](const std::string& kind, int count, const ManyMasses& many, double base) {
     const std::string name = fmt::format("{}-{}", kind, count);
-    const Found found = measure("masses-" + name, crowd, request);
+    const Found found = measure("masses-" + name, many, request);
     const double ratio = base > 0.0 ? found.seconds / base : 1.0;
     table.add("masses/" + name,
-              {fmt::format("{} of {}", kind, count), crowd.radius, 1e6 * found.seconds, ratio,
+              {fmt::format("{} of {}", kind, count), many.radius, 1e6 * found.seconds, ratio,
                found.steps, 1e6 * found.seconds / found.steps, found.errors.median,
                found.errors.p99, found.errors.most, found.errors.mismatch});
     return found.seconds;
@@ -201,11 +201,11 @@ int run(const Request& request) {
   constexpr double depth = 4.0;
   double base = 0.0;
   for (const int count : {10, 100, 1000}) {
-    const double seconds = add("sheet", count, Crowd(count, std::sqrt(count), depth), base);
+    const double seconds = add("sheet", count, ManyMasses(count, std::sqrt(count), depth), base);
     if (count == 10) base = seconds;
   }
-  base = add("cube", 10, Crowd(10, depth, depth), 0.0);
-  add("cube", 1000, Crowd(1000, depth, depth), base);
+  base = add("cube", 10, ManyMasses(10, depth, depth), 0.0);
+  add("cube", 1000, ManyMasses(1000, depth, depth), base);
   table.print(request.style);
   run_apart(request);
   return 0;

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "io/files.h"
-#include "photon/engine.h"
+#include "lanes/engine.h"
 #include "support/bumpy_sphere.h"
 #include "support/clock.h"
 #include "support/command.h"

@@ -6,9 +6,9 @@
 #include <cstring>
 #include <string>
 
-#include "checkpoint_pieces.h"
+#include "checkpoint_partials.h"
 #include "io/digest.h"
-#include "render/piece_head.h"
+#include "render/partial_header.h"
 #include "target.h"
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
@@ -30,14 +30,14 @@ std::string changed(std::string_view bytes, std::size_t most) {
 std::string fitting_body(const std::string& head, std::string body, std::size_t most) {
   try {
     body.resize(std::min<std::uint64_t>(decoded_head(head).body_size, most));
-  } catch (const PieceRefusal&) {  // there is no right length
+  } catch (const PartialRefusal&) {  // there is no right length
   }
   return body;
 }
 
 enum class Change { head, body };
 
-std::string changed_piece(std::string_view piece, Change change, std::size_t most) {
+std::string changed_partial(std::string_view piece, Change change, std::size_t most) {
   std::string head(fuzz::head_of(piece));
   const std::size_t body_at =
       std::min(piece.size(), fuzz::preamble_size + head.size() + fuzz::digest_size);
@@ -68,7 +68,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
   const Change change = seed / 1024 % 4 == 0 ? Change::body : Change::head;
   std::string whole;
   for (std::size_t i = 0; i < pieces.size(); ++i)
-    whole += i == chosen ? changed_piece(pieces[i], change, most) : std::string(pieces[i]);
+    whole += i == chosen ? changed_partial(pieces[i], change, most) : std::string(pieces[i]);
   if (whole.size() > most) return size;
   std::copy(whole.begin(), whole.end(), data);
   return whole.size();

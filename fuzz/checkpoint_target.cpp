@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "app/keeper.h"
+#include "app/checkpoint_manager.h"
 #include "app/output.h"
 #include "app/report.h"
-#include "checkpoint_pieces.h"
+#include "checkpoint_partials.h"
 #include "io/read_scene.h"
 #include "laws.h"
 #include "render/merge.h"
@@ -22,8 +22,8 @@ namespace {
 using namespace portalens;
 
 /// What is looked into: more is read, but takes too long for a fuzzer.
-constexpr std::size_t most_pixels = 1024;
-constexpr std::uint64_t most_work = 256;
+constexpr std::size_t max_pixels = 1024;
+constexpr std::uint64_t max_work = 256;
 
 const SceneFolder& folder() {
   static const SceneFolder made;
@@ -59,17 +59,18 @@ void check_result(const RenderResult& result, const Provenance& provenance) {
                               [](float value) { return std::isfinite(value); }),
                   "layers are finite");
   fuzz::require(printable(statistics_text(result, provenance)),
-                "what a piece tells may be given to a terminal");
+                "what a partial picture tells may be given to a terminal");
   fuzz::require(!json_line(statistics_json(result, provenance, "picture.exr")).empty(),
                 "it can be told");
   if (result.window.pixels() <= 64) write_picture(folder().path() / "p.exr", result, provenance);
 }
 
 /// What stands of it is written again as it was, but for the time.
-void check_written(const PieceFile& file, const Exposure& exposure, std::string_view bytes) {
-  const PieceHead& head = file.head();
-  const std::string again = encoded_piece(head.provenance, exposure);
-  fuzz::require(again.size() == bytes.size(), "a piece is written again as long as it was");
+void check_written(const PartialFile& file, const Exposure& exposure, std::string_view bytes) {
+  const PartialHeader& head = file.head();
+  const std::string again = encoded_partial(head.provenance, exposure);
+  fuzz::require(again.size() == bytes.size(),
+                "a partial picture is written again as long as it was");
   const std::size_t body = bytes.size() - head.body_size - fuzz::digest_size;
   fuzz::require(again.substr(body) == bytes.substr(body), "its pixels are written as they were");
   fuzz::require(
@@ -97,7 +98,7 @@ void go_on(Exposure& exposure, const Provenance& provenance) {
 }
 
 /// As `--resume` finds it, by a render of the same kind and by one of another.
-void check_resumed(const PieceFile& file, std::string_view bytes) {
+void check_resumed(const PartialFile& file, std::string_view bytes) {
   const auto place = folder().write("a.exr.checkpoint", std::string(bytes));
   const Provenance other{{{"the program", "another"}}, {}, "scene.toml"};
   for (const Provenance* provenance : {&file.head().provenance, &other}) try {
@@ -107,15 +108,15 @@ void check_resumed(const PieceFile& file, std::string_view bytes) {
     }
 }
 
-std::optional<PieceFile> piece_of(std::string_view bytes) {
+std::optional<PartialFile> partial_of(std::string_view bytes) {
   try {
-    PieceFile file("a.part", std::string(bytes));
-    if (file.head().assignment.window.pixels() > most_pixels) return std::nullopt;
+    PartialFile file("a.part", std::string(bytes));
+    if (file.head().assignment.window.pixels() > max_pixels) return std::nullopt;
     const auto exposure = file.exposure();
     check_written(file, *exposure, bytes);
     check_resumed(file, bytes);
     check_result(result_of(*exposure), file.head().provenance);
-    if (work_left(*exposure) <= most_work) go_on(*exposure, file.head().provenance);
+    if (work_left(*exposure) <= max_work) go_on(*exposure, file.head().provenance);
     return file;
   } catch (const SceneError& error) {
     fuzz::check_faults(error.faults());
@@ -123,14 +124,15 @@ std::optional<PieceFile> piece_of(std::string_view bytes) {
   }
 }
 
-void check_merged(const std::vector<PieceFile>& parts, const std::optional<Window>& crop) {
+void check_merged(const std::vector<PartialFile>& parts, const std::optional<Window>& crop) {
   try {
     const auto exposure = merged(parts, crop);
     const RenderResult result = result_of(*exposure);
     fuzz::require(result.completion == Completion::complete, "a merged picture is whole");
     check_result(result, parts.front().head().provenance);
     static_cast<void>(
-        PieceFile("m.part", encoded_piece(parts.front().head().provenance, *exposure)).exposure());
+        PartialFile("m.part", encoded_partial(parts.front().head().provenance, *exposure))
+            .exposure());
   } catch (const SceneError& error) {
     fuzz::check_faults(error.faults());
   }
@@ -139,12 +141,12 @@ void check_merged(const std::vector<PieceFile>& parts, const std::optional<Windo
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  std::vector<PieceFile> parts;
-  for (const std::string_view bytes : fuzz::pieces_in(fuzz::as_text(data, size)))
-    if (const auto part = piece_of(bytes)) parts.push_back(*part);
+  std::vector<PartialFile> parts;
+  for (const std::string_view bytes : fuzz::partials_in(fuzz::as_text(data, size)))
+    if (const auto part = partial_of(bytes)) parts.push_back(*part);
   if (parts.empty()) return 0;
   const Assignment& first = parts.front().head().assignment;
   check_merged(parts, first.window);
-  if (first.film.pixels() <= most_pixels) check_merged(parts, std::nullopt);
+  if (first.film.pixels() <= max_pixels) check_merged(parts, std::nullopt);
   return 0;
 }

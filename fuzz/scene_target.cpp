@@ -35,11 +35,11 @@ const SceneFolder& folder() {
   return made;
 }
 
-// Deeper ways and finer maps cost more than a fuzzer has, and tell no more.
-constexpr std::int64_t deepest = 2, finest_map = 8, most_steps = 200;
+// Deeper paths and finer maps cost more than a fuzzer has, and tell no more.
+constexpr std::int64_t deepest = 2, finest_map = 8, max_steps = 200;
 /// Pulls of a mass, at one place each for all steps of a photon: with the sanitizers some tenths of
 /// a second for all photons of the picture.
-constexpr double most_pulls = 1200;
+constexpr double max_pulls = 1200;
 
 /// Holds a whole number of the physics at or below `most`; what is none is left to be refused.
 void hold(Scene& scene, const char* key, std::int64_t most, std::int64_t unsaid, Faults& faults) {
@@ -60,7 +60,7 @@ Scene bounded(const std::filesystem::path& file) {
   const Physics unsaid;
   hold(scene, "portal_gravity_depth", deepest, unsaid.portal_gravity_depth, faults);
   hold(scene, "graviton_resolution", finest_map, unsaid.graviton_resolution, faults);
-  hold(scene, "max_steps", most_steps, unsaid.max_steps, faults);
+  hold(scene, "max_steps", max_steps, unsaid.max_steps, faults);
   for (const char* setting :
        {"film.width=8", "film.height=8", "sampler.samples=1", "shading.max_bounces=2",
         "shading.max_crossings=8", "shading.shadow_samples=1"})
@@ -82,7 +82,7 @@ double cost_of_a_place(const Space& space) {
 /// Compiled, with as many steps a photon as its field allows.
 World affordable(Scene scene) {
   World world = compile(scene);
-  const auto steps = static_cast<std::int64_t>(most_pulls / cost_of_a_place(world.space)) + 1;
+  const auto steps = static_cast<std::int64_t>(max_pulls / cost_of_a_place(world.space)) + 1;
   if (steps >= world.space.physics.max_steps) return world;
   Faults faults;
   override_value(scene, "physics.max_steps=" + std::to_string(steps), faults);

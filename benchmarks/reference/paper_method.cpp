@@ -26,9 +26,10 @@ bool within(const Vertices& vertices, Vec3d normal, Vec3d point) {
 /// One-sided: of the face from in front, of its rim from behind.
 Vec3d closest_on_front(const Portal& portal, Vec3d x) {
   const double height = dot(x - portal.frame.origin, portal.frame.normal);
-  const Vec3d foot = x - portal.frame.normal * height;
-  if (height >= -portal.height_tolerance() && within(portal.vertices, portal.frame.normal, foot))
-    return foot;
+  const Vec3d nearest_point = x - portal.frame.normal * height;
+  if (height >= -portal.height_tolerance() &&
+      within(portal.vertices, portal.frame.normal, nearest_point))
+    return nearest_point;
   const std::size_t count = portal.vertices.size();
   Vec3d best;
   double least = INFINITY;

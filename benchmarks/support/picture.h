@@ -11,8 +11,8 @@
 #include "math/vec3.h"
 #include "photon/photon.h"
 #include "render/film.h"
-#include "render/lattice.h"
 #include "render/render.h"
+#include "render/sampling_grid.h"
 #include "render/wave.h"
 #include "support/subject.h"
 #include "world/world.h"
@@ -41,7 +41,7 @@ inline void interpolate(const World& world, const BeamGuard& guard, int every,
     std::size_t index;
   };
   const auto is_above = [](const Sampled& a, const Sampled& b) { return a.pixel < b.pixel; };
-  Lattice lattice(world, guard, tiles[0]);
+  SamplingGrid sampling_grid(world, guard, tiles[0]);
   std::vector<Sampled> sampled;
   std::vector<FilmPlace> places;
   std::vector<Arrival> found;
@@ -60,21 +60,22 @@ inline void interpolate(const World& world, const BeamGuard& guard, int every,
     places.clear();
     for (const auto& [pixel, index] : sampled) places.push_back({pixel.x + 0.5, pixel.y + 0.5});
     found.resize(places.size());
-    lattice.lay_over(tile);
-    lattice.advance(places, found, tally);
+    sampling_grid.lay_over(tile);
+    sampling_grid.advance(places, found, tally);
     for (std::size_t i = 0; i < sampled.size(); ++i) arrivals[sampled[i].index] = found[i];
   }
 }
 
-/// One pixel of every n × n, shaded by the program, with photons that `travel` advances.
-/// @param travel  called as `travel(photons, arrivals)`
-template <class Travel>
-[[nodiscard]] std::vector<Rgb> take_pixels(const World& world, int every, const Travel& travel) {
+/// One pixel of every n × n, shaded by the program, with photons that `ray_state` advances.
+/// @param ray_state  called as `ray_state(photons, arrivals)`
+template <class RayState>
+[[nodiscard]] std::vector<Rgb> take_pixels(const World& world, int every,
+                                           const RayState& ray_state) {
   const std::vector<Photon> photons = camera_photons(world, every);
   WaveRoom room;
   std::vector<Rgb> film(photons.size());
   Tally tally;
-  carry_light(world.space, world.appearance, photons, room, film, travel, tally);
+  carry_light(world.space, world.appearance, photons, room, film, ray_state, tally);
   return film;
 }
 

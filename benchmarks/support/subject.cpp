@@ -8,9 +8,9 @@
 
 #include "io/files.h"
 #include "io/read_scene.h"
+#include "lanes/engine.h"
 #include "math/random.h"
 #include "oracle_digest.h"
-#include "photon/engine.h"
 #include "render/fingerprint.h"
 #include "world/compile.h"
 

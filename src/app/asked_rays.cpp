@@ -16,7 +16,7 @@
 namespace portalens {
 namespace {
 
-constexpr std::size_t most_rays = 10000;
+constexpr std::size_t max_rays = 10000;
 
 class Collector {
  public:
@@ -71,12 +71,12 @@ class Collector {
     std::copy_n(fan.begin(), 6, numbers.begin());
     const auto middle = ray_of(numbers);
     const double spread = fan[6], count = fan[7];
-    if (!middle || !(spread >= 0.0 && spread <= 360.0) || !(count >= 1.0) || count > most_rays ||
+    if (!middle || !(spread >= 0.0 && spread <= 360.0) || !(count >= 1.0) || count > max_rays ||
         count != std::floor(count)) {
       fault("--fan is no fan of rays",
             fmt::format("OX OY OZ DX DY DZ SPREAD COUNT are needed: the direction not zero, the "
                         "spread 0 to 360 degrees, the count 1 to {}",
-                        most_rays));
+                        max_rays));
       return;
     }
     const Vec3d d = middle->direction, off = across - d * dot(across, d);
@@ -93,7 +93,7 @@ class Collector {
   void add_grid() {
     if (asked_.grid.empty()) return;
     const int columns = asked_.grid[0], rows = asked_.grid[1];
-    const auto most = static_cast<std::int64_t>(most_rays);
+    const auto most = static_cast<std::int64_t>(max_rays);
     if (columns < 1 || rows < 1 || static_cast<std::int64_t>(columns) * rows > most) {
       fault(fmt::format("--grid {} {} is no grid of photons", columns, rows),
             fmt::format("at least 1 of each, and no more than {} together, are needed", most));
@@ -107,9 +107,9 @@ class Collector {
   }
 
   [[nodiscard]] std::vector<NamedRay> release() {
-    if (rays_.size() > most_rays)
+    if (rays_.size() > max_rays)
       fault(fmt::format("{} photons are more than a drawing can show", rays_.size()),
-            fmt::format("ask for at most {}", most_rays));
+            fmt::format("ask for at most {}", max_rays));
     faults_.raise();
     return std::move(rays_);
   }

@@ -18,7 +18,7 @@ namespace portalens {
 namespace {
 
 /// Entries of one list that a person is shown.
-constexpr std::size_t most_listed = 40;
+constexpr std::size_t max_listed = 40;
 
 std::string place(Vec3d v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z); }
 
@@ -163,9 +163,9 @@ std::string portal_text(const World& world, const Portal& portal) {
 template <class Item, class Text>
 std::string listed(const char* title, std::span<const Item> items, const Text& text_of) {
   std::string text = fmt::format("{:<12}{}\n", title, items.size());
-  for (const Item& item : items.first(std::min(items.size(), most_listed))) text += text_of(item);
-  if (items.size() > most_listed)
-    text += fmt::format("  ... and {} more (--json lists all)\n", items.size() - most_listed);
+  for (const Item& item : items.first(std::min(items.size(), max_listed))) text += text_of(item);
+  if (items.size() > max_listed)
+    text += fmt::format("  ... and {} more (--json lists all)\n", items.size() - max_listed);
   return text;
 }
 

@@ -15,7 +15,7 @@
 namespace portalens {
 namespace {
 
-constexpr std::size_t most_steps = 4000000;  ///< of all paths together
+constexpr std::size_t max_steps = 4000000;  ///< of all paths together
 
 int height_of(const World& world, const StandpointChoice& from, const DrawingSize& size) {
   if (size.height > 0) return size.height;
@@ -28,7 +28,7 @@ int height_of(const World& world, const StandpointChoice& from, const DrawingSiz
 /// Whether photons begin at the scene's camera, or there are none.
 bool camera_matters(const World& world, const std::vector<DrawnPath>& paths, double tolerance) {
   return paths.empty() || std::any_of(paths.begin(), paths.end(), [&](const DrawnPath& path) {
-           const Vec3d start = path.trace.journey.stretches.front().front();
+           const Vec3d start = path.trace.path_trace.stretches.front().front();
            return length(start - world.camera.position) <= tolerance;
          });
 }
@@ -46,9 +46,9 @@ std::vector<DrawnPath> follow(const World& world, const std::vector<NamedRay>& r
     paths[i] = {rays[i].name, trace_ray(world, photon, bounces)};
     steps += paths[i].trace.end.steps;
   };
-  const bool all = parallel_for(rays.size(), threads, work, [&] { return steps > most_steps; });
-  if (!all || steps > most_steps)
-    throw SceneError({{Location{}, fmt::format("the paths have more than {} steps", most_steps),
+  const bool all = parallel_for(rays.size(), threads, work, [&] { return steps > max_steps; });
+  if (!all || steps > max_steps)
+    throw SceneError({{Location{}, fmt::format("the paths have more than {} steps", max_steps),
                        "draw fewer photons, or take a larger physics.tolerance or physics.step"}});
   return paths;
 }

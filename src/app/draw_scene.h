@@ -23,7 +23,7 @@ struct DrawingStyle {
   DrawingSize size;
   int steps_a_color = 1;  ///< >= 1; in turn green and grey, if `color` is not given
   bool legend = true;
-  std::optional<PathColor> color = {};  ///< what else a way's colour tells
+  std::optional<PathColor> color = {};  ///< what else a path's colour tells
 };
 
 /// Follows the photons on that many threads.

@@ -206,8 +206,8 @@ class FieldArtist {
     const int teeth = std::clamp(static_cast<int>(span / 8.0), 1, 1000);
     for (int i = 0; i < teeth; ++i) {
       const double share = (i + 0.5) / teeth;
-      const Point foot{a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
-      stroke({foot, {foot.x + 7.0 * fx, foot.y + 7.0 * fy}}, ink, 1.5);
+      const Point nearest_point{a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
+      stroke({nearest_point, {nearest_point.x + 7.0 * fx, nearest_point.y + 7.0 * fy}}, ink, 1.5);
     }
   }
 

@@ -1,6 +1,6 @@
 /// \file
 /// The field on a plane: strength as colour, direction as arrows, portals and masses where they
-/// are, and the ways to the faces. Dunigan & Pianta, figures 9 and 10.
+/// are, and the paths to the faces. Dunigan & Pianta, figures 9 and 10.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace portalens {
 
-/// Which ways from points of the plane to portals are drawn: what of a face pulls at a point.
+/// Which paths from points of the plane to portals are drawn: what of a face pulls at a point.
 enum class DrawnWays : std::uint8_t { none, nearest, all };
 
 struct FieldDrawingOptions {

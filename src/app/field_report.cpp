@@ -23,7 +23,7 @@ Vec3d pull_of(const Mass& mass, Vec3d x) {
   return attraction(mass.center - x, mass.gm, mass.core * mass.core);
 }
 
-/// "blue, orange": the portals of a way.
+/// "blue, orange": the portals of a path.
 std::string names_of(const Space& space, const std::vector<std::uint32_t>& portals) {
   std::string names;
   for (const std::uint32_t portal : portals)

@@ -13,7 +13,7 @@
 namespace portalens {
 namespace {
 
-constexpr std::size_t most_told = 8;  ///< paths in words
+constexpr std::size_t max_told = 8;  ///< paths in words
 
 struct LegendEntry {
   std::vector<Mark> symbol;  ///< about (0, 0), within 12 units to both sides
@@ -148,7 +148,7 @@ std::vector<LegendEntry> scene_entries(const World& world, const Drawing& drawin
   return entries;
 }
 
-/// What the colours of the ways mean. By fate, the marks at their ends have them, too.
+/// What the colours of the paths mean. By fate, the marks at their ends have them, too.
 std::vector<LegendEntry> way_entries(const PathStyle& style, double unit) {
   const auto half = [&](double from, const Color& color) {
     return Lines{{{{from * unit, 0}, {(from + 12.0) * unit, 0}}}, {color, 2.2 * unit}, "legend"};
@@ -170,7 +170,7 @@ std::vector<LegendEntry> path_entries(const World& world, const std::vector<Draw
   bool crosses = false, bounces = false;
   for (const DrawnPath& path : paths) {
     ++fates[static_cast<std::size_t>(path.trace.end.fate)];
-    crosses = crosses || !path.trace.journey.crossings.empty();
+    crosses = crosses || !path.trace.path_trace.crossings.empty();
     bounces = bounces || !path.trace.bounces.empty();
   }
   std::vector<LegendEntry> entries = way_entries(style, unit);
@@ -212,10 +212,10 @@ void add_legend(const World& world, const View& view, const std::string& title,
     for (LegendEntry& entry : path_entries(world, paths, style, unit))
       strip.add_entry(std::move(entry));
   std::size_t crossing = 0;
-  for (std::size_t i = 0; i < paths.size() && paths.size() <= most_told; ++i) {
+  for (std::size_t i = 0; i < paths.size() && paths.size() <= max_told; ++i) {
     const std::string number = paths.size() > 1 ? std::to_string(i + 1) + "  " : "";
     strip.add_line(number + told(world, paths[i], crossing), 1.0);
-    crossing += paths[i].trace.journey.crossings.size();
+    crossing += paths[i].trace.path_trace.crossings.size();
   }
   strip.finish();
 }

@@ -21,7 +21,7 @@ struct MergeArguments {
 };
 
 int merge_parts(const MergeArguments& arguments) {
-  std::vector<PieceFile> parts;
+  std::vector<PartialFile> parts;
   for (const std::filesystem::path& file : arguments.parts) parts.emplace_back(file);
   std::optional<Window> crop;
   if (!arguments.crop.empty())

@@ -11,9 +11,9 @@ namespace {
 
 using Line = std::vector<Vec3d>;
 
-constexpr int most_cells = 10;                  ///< of the grid along a quad's longest edge
-constexpr std::size_t most_triangles = 200000;  ///< of a mesh whose edges are looked for
-constexpr double smooth = 0.9;                  ///< cosine between faces of one smooth surface
+constexpr int max_cells = 10;                  ///< of the grid along a quad's longest edge
+constexpr std::size_t max_triangles = 200000;  ///< of a mesh whose edges are looked for
+constexpr double smooth = 0.9;                 ///< cosine between faces of one smooth surface
 
 void add_box(const std::array<Vec3d, 8>& corners, Outline& outline) {
   for (unsigned corner = 0; corner < 8; ++corner)
@@ -84,7 +84,7 @@ struct Outliner {
     if (corners.size() < 4) return;
     const double along = std::max(length(loop[1] - loop[0]), length(loop[2] - loop[3]));
     const double across = std::max(length(loop[2] - loop[1]), length(loop[3] - loop[0]));
-    const double cell = std::max(along, across) / most_cells;
+    const double cell = std::max(along, across) / max_cells;
     const auto cells = [&](double edge) { return static_cast<int>(std::lround(edge / cell)); };
     add_grid(loop[0], loop[1], loop[2], loop[3], cells(along), outline);
     add_grid(loop[1], loop[2], loop[3], loop[0], cells(across), outline);
@@ -117,7 +117,7 @@ struct Outliner {
 
   void operator()(const Mesh& mesh) const {
     if (mesh.triangle_count() == 0) return;
-    if (mesh.triangle_count() > most_triangles) {
+    if (mesh.triangle_count() > max_triangles) {
       const Box box = mesh.bounds();
       std::array<Vec3d, 8> corners;
       for (unsigned i = 0; i < 8; ++i)

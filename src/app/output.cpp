@@ -12,7 +12,7 @@
 
 namespace portalens {
 
-bool is_part(const std::filesystem::path& file) { return file.extension() == piece_suffix; }
+bool is_part(const std::filesystem::path& file) { return file.extension() == partial_suffix; }
 
 void check_output(const std::filesystem::path& file, const Assignment& assignment) {
   const auto refuse = [&](const std::string& problem, const std::string& remedy) {
@@ -43,7 +43,7 @@ void write_picture(const std::filesystem::path& file, const RenderResult& result
 void write_output(const std::filesystem::path& file, const Exposure& exposure,
                   const RenderResult& result, const Provenance& provenance) {
   if (is_part(file))
-    replace_file(file, encoded_piece(provenance, exposure));
+    replace_file(file, encoded_partial(provenance, exposure));
   else
     write_picture(file, result, provenance);
 }

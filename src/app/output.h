@@ -6,7 +6,7 @@
 #include <string>
 
 #include "io/image.h"
-#include "render/piece.h"
+#include "render/partial.h"
 #include "render/render.h"
 
 namespace portalens {

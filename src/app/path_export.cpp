@@ -45,14 +45,14 @@ Rgb turning_color(double share) {
 
 void PathExport::add(const Trace& trace) {
   const Rgb color = linear_from_color(fate_ink(trace.end.fate));
-  for (std::size_t s = 0; s < trace.journey.stretches.size(); ++s) {
+  for (std::size_t s = 0; s < trace.path_trace.stretches.size(); ++s) {
     PathLine line;
     line.photon = photons_;
     line.stretch = s;
-    line.points = without_repeats(trace.journey.stretches[s]);
+    line.points = without_repeats(trace.path_trace.stretches[s]);
     if (line.points.empty()) continue;
     line.colors.assign(line.points.size(), color);
-    if (s + 1 == trace.journey.stretches.size() && trace.end.fate == Fate::escaped)
+    if (s + 1 == trace.path_trace.stretches.size() && trace.end.fate == Fate::escaped)
       line.tail = trace.end.direction * tail_length(world_);
     picture_.lines.push_back(std::move(line));
   }

@@ -1,5 +1,5 @@
 /// \file
-/// From traced photons to a picture of their ways that other programs open.
+/// From traced photons to a picture of their paths that other programs open.
 #pragma once
 
 #include <map>
@@ -11,7 +11,7 @@
 
 namespace portalens {
 
-/// What the colour of a way tells: how the photon ended, or how sharply it turns there.
+/// What the colour of a path tells: how the photon ended, or how sharply it turns there.
 enum class PathColor { fate, turning };
 
 /// As the command line names them.
@@ -23,7 +23,7 @@ enum class PathColor { fate, turning };
 /// @param share  0: straight, 1: where it turns most
 [[nodiscard]] Rgb turning_color(double share);
 
-/// Collects ways. Colours by turning are chosen when all are known: blue where a way is straight,
+/// Collects paths. Colours by turning are chosen when all are known: blue where a path is straight,
 /// over grey to red where it turns most (on a logarithmic scale, over three powers of ten).
 class PathExport {
  public:
@@ -32,7 +32,7 @@ class PathExport {
   /// Adds the next photon. One that escapes goes on straight for a while.
   void add(const Trace& trace);
 
-  /// The ways, the portals (each pair in two colours), and the masses: balls of the size of their
+  /// The paths, the portals (each pair in two colours), and the masses: balls of the size of their
   /// horizon, or of their core.
   [[nodiscard]] PathPicture release() &&;
 

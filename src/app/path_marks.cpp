@@ -12,16 +12,16 @@
 namespace portalens {
 namespace {
 
-constexpr std::size_t most_letters = 120;  ///< more crossings than this are only dots
-constexpr std::size_t most_numbers = 12;   ///< more paths than this bear no number
+constexpr std::size_t max_letters = 120;  ///< more crossings than this are only dots
+constexpr std::size_t max_numbers = 12;   ///< more paths than this bear no number
 
 constexpr Color white{1, 1, 1};
 
 /// Steps of the whole path in turn in one list or the other. Points that repeat are no step.
-void add_steps(const Journey& journey, const PathStyle& style, Sheet& sheet) {
+void add_steps(const PathTrace& path_trace, const PathStyle& style, Sheet& sheet) {
   std::vector<std::vector<Vec3d>> green, grey;
   std::size_t step = 0;
-  for (const std::vector<Vec3d>& stretch : journey.stretches)
+  for (const std::vector<Vec3d>& stretch : path_trace.stretches)
     for (std::size_t i = 1; i < stretch.size(); ++i) {
       if (stretch[i] == stretch[i - 1] || !is_finite(stretch[i])) continue;
       const bool odd = step++ / static_cast<std::size_t>(style.steps_a_color) % 2 == 1;
@@ -33,7 +33,7 @@ void add_steps(const Journey& journey, const PathStyle& style, Sheet& sheet) {
   sheet.add_lines(grey, {ink::grey, 2.2}, "path grey");
 }
 
-/// All ways as `PathExport` colours them: neighbouring pieces of one colour are one line.
+/// All paths as `PathExport` colours them: neighbouring pieces of one colour are one line.
 void add_colored(const World& world, const std::vector<DrawnPath>& paths, PathColor color,
                  Sheet& sheet) {
   PathExport ways(world, color);
@@ -52,20 +52,21 @@ void add_colored(const World& world, const std::vector<DrawnPath>& paths, PathCo
   }
 }
 
-void add_crossings(const World& world, const Journey& journey, std::size_t& number, Sheet& sheet) {
-  for (std::size_t i = 0; i < journey.crossings.size(); ++i, ++number) {
-    const std::uint32_t entered = journey.crossings[i];
+void add_crossings(const World& world, const PathTrace& path_trace, std::size_t& number,
+                   Sheet& sheet) {
+  for (std::size_t i = 0; i < path_trace.crossings.size(); ++i, ++number) {
+    const std::uint32_t entered = path_trace.crossings[i];
     const auto mark = [&](Vec3d place, std::uint32_t portal) {
       const auto at = sheet.view().project(place);
       if (!at) return;
       const double unit = sheet.unit();
       const Color color = portal_color(world, portal);
       sheet.add(Disc{*at, 3.2 * unit, white, {color, 1.8 * unit}, "crossing"});
-      if (number < most_letters)
+      if (number < max_letters)
         sheet.add_label(*at, 7.0, crossing_letter(number), color, "crossing letter");
     };
-    mark(journey.stretches[i].back(), entered);
-    mark(journey.stretches[i + 1].front(), world.space.portals.portals()[entered].pair);
+    mark(path_trace.stretches[i].back(), entered);
+    mark(path_trace.stretches[i + 1].front(), world.space.portals.portals()[entered].pair);
   }
 }
 
@@ -100,7 +101,7 @@ void add_names_of_met(const World& world, const std::vector<DrawnPath>& paths, S
     if (arrival.met != Met::surface) return;
     const std::string met = name_of_met(world, arrival);
     const auto at = sheet.view().project(arrival.position);
-    if (at && named.size() < most_numbers && named.insert(met).second)
+    if (at && named.size() < max_numbers && named.insert(met).second)
       sheet.add_label(*at, 11.0, met, {0.45, 0.45, 0.48}, "surface name", 0.92);
   };
   for (const DrawnPath& path : paths) {
@@ -124,8 +125,8 @@ std::string told(const World& world, const DrawnPath& path, std::size_t crossing
   std::string text = path.name + ": ";
   std::size_t next = 0;
   const auto cross = [&](const Arrival& leg) {
-    for (std::uint32_t i = 0; i < leg.crossings && next < trace.journey.crossings.size(); ++i) {
-      const Portal& portal = portals[trace.journey.crossings[next++]];
+    for (std::uint32_t i = 0; i < leg.crossings && next < trace.path_trace.crossings.size(); ++i) {
+      const Portal& portal = portals[trace.path_trace.crossings[next++]];
       text += fmt::format("{} into {}, out of {}; ", crossing_letter(crossing++), portal.name,
                           portals[portal.pair].name);
     }
@@ -161,14 +162,14 @@ void add_paths(const World& world, const std::vector<DrawnPath>& paths, const Pa
   if (style.color)
     add_colored(world, paths, *style.color, sheet);
   else
-    for (const DrawnPath& path : paths) add_steps(path.trace.journey, style, sheet);
-  const bool numbered = paths.size() > 1 && paths.size() <= most_numbers;
+    for (const DrawnPath& path : paths) add_steps(path.trace.path_trace, style, sheet);
+  const bool numbered = paths.size() > 1 && paths.size() <= max_numbers;
   std::size_t crossing = 0;
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const Trace& trace = paths[i].trace;
-    add_crossings(world, trace.journey, crossing, sheet);
+    add_crossings(world, trace.path_trace, crossing, sheet);
     add_bounces(trace, sheet);
-    const auto start = sheet.view().project(trace.journey.stretches.front().front());
+    const auto start = sheet.view().project(trace.path_trace.stretches.front().front());
     if (start) sheet.add(start_mark(*start, sheet.unit()));
     add_end(trace.end, style, numbered ? std::to_string(i + 1) : "", sheet);
   }

@@ -15,7 +15,7 @@
 
 namespace portalens {
 
-/// Colours of the ways of photons by their end, in the order of `Fate`: red, dark grey, blue,
+/// Colours of the paths of photons by their end, in the order of `Fate`: red, dark grey, blue,
 /// orange, magenta.
 inline constexpr std::array<Color, fate_count> fate_inks = {
     Color{0.80, 0.10, 0.10}, Color{0.25, 0.25, 0.28}, Color{0.10, 0.45, 0.80},
@@ -31,7 +31,7 @@ struct DrawnPath {
 
 struct PathStyle {
   int steps_a_color = 1;           ///< >= 1; in turn green and grey, if `color` is not given
-  std::optional<PathColor> color;  ///< what else a way's colour tells
+  std::optional<PathColor> color;  ///< what else a path's colour tells
   double beyond = 1.0;             ///< length that is drawn of what an escaped photon flies on
 };
 

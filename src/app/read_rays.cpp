@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view blanks = " \t\r";
 constexpr const char* remedy = "six numbers are needed: x y z dx dy dz, the direction not zero";
-constexpr std::size_t most_reported = 100;
+constexpr std::size_t max_reported = 100;
 
 /// The line's numbers; nothing if it holds anything else, or not six.
 std::optional<std::array<double, 6>> six_numbers(std::string_view line) {
@@ -54,7 +54,7 @@ std::vector<Ray> read_rays(std::istream& input, const std::string& name) {
   std::vector<Ray> rays;
   Faults faults;
   std::string line;
-  for (int number = 1; faults.size() < most_reported && std::getline(input, line); ++number) {
+  for (int number = 1; faults.size() < max_reported && std::getline(input, line); ++number) {
     const std::size_t begin = line.find_first_not_of(blanks);
     if (begin == std::string::npos || line[begin] == '#') continue;
     const auto numbers = six_numbers(line);

@@ -9,9 +9,9 @@
 #include <optional>
 #include <system_error>
 
+#include "app/checkpoint_manager.h"
 #include "app/command.h"
 #include "app/display_server.h"
-#include "app/keeper.h"
 #include "app/machine_memory.h"
 #include "app/output.h"
 #include "app/progress_bar.h"

@@ -103,7 +103,8 @@ std::string statistics_text(const RenderResult& result, const Provenance& proven
   line("camera samples", fmt::format("{}", tally.samples));
   line("photons", fmt::format("{}", tally.photons));
   if (tally.interpolated > 0)
-    line("interpolated", fmt::format("{}, with {} guides", tally.interpolated, tally.guides));
+    line("interpolated",
+         fmt::format("{}, with {} probe rays", tally.interpolated, tally.probe_rays));
   for (int i = 0; i < fate_count; ++i)
     line("", fmt::format("{:<10}{:>12}  {:6.2f} %", fate_names[i], tally.fates[i],
                          100.0 * per(tally.fates[i], photons)));
@@ -137,7 +138,7 @@ Json statistics_json(const RenderResult& result, const Provenance& provenance,
       {"samples", tally.samples},
       {"photons", tally.photons},
       {"interpolated", tally.interpolated},
-      {"guides", tally.guides},
+      {"probe_rays", tally.probe_rays},
       {"fates", fates},
       {"not_finite", tally.not_finite},
       {"steps", tally.steps},

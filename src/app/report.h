@@ -7,7 +7,7 @@
 
 #include "app/json.h"
 #include "io/image.h"
-#include "render/piece_head.h"
+#include "render/partial_header.h"
 #include "render/render.h"
 
 namespace portalens {
@@ -32,7 +32,7 @@ void add_manner(const Metadata& header, Json& json);
 [[nodiscard]] Json statistics_json(const RenderResult& result, const Provenance& provenance,
                                    const std::filesystem::path& picture);
 
-/// What an EXR file keeps of the scene, the settings and the ways of photons from which it was
+/// What an EXR file keeps of the scene, the settings and the paths of photons from which it was
 /// made.
 [[nodiscard]] Metadata world_metadata(const World& world, const RenderOptions& options);
 /// What it keeps besides: which part of the picture it is, and how its photons ended. The same

@@ -25,7 +25,7 @@ constexpr std::array<NamedColor, 8> portal_colors = {{{"blue", {0.10, 0.40, 0.85
                                                       {"brown", {0.50, 0.32, 0.18}}}};
 
 /// Names at the places of things are left out of a drawing with more of them.
-constexpr std::size_t most_names = 40;
+constexpr std::size_t max_names = 40;
 
 Color faint_color(const Material& material) {
   const Rgb color = brightest(material.diffuse) + material.emitted + material.reflective * 0.5;
@@ -90,7 +90,7 @@ void add_portals(const World& world, Sheet& sheet) {
       sheet.add_arrow(middle, tip, color, "portal normal");
       keep_free(middle, tip, sheet);
     }
-    if (portals.size() <= most_names) add_name(portal, color, sheet);
+    if (portals.size() <= max_names) add_name(portal, color, sheet);
   }
 }
 
@@ -108,7 +108,7 @@ void add_masses(const World& world, Sheet& sheet) {
         black ? mass.schwarzschild * sheet.view().pixels_per_length(mass.center) : 0.0;
     if (radius < least) sheet.add(Disc{*at, least, {0, 0, 0}, {}, "mass"});
     const Point beside = *at + Point{0, std::min(radius, 0.25 * sheet.view().height())};
-    if (world.space.masses.size() <= most_names)
+    if (world.space.masses.size() <= max_names)
       sheet.add_label(beside, 10.0, mass.name, ink::black, "mass name");
   }
 }

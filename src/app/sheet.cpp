@@ -9,7 +9,7 @@
 namespace portalens {
 namespace {
 
-constexpr std::size_t most_busy = 20000;  ///< points that labels look out for
+constexpr std::size_t max_busy = 20000;  ///< points that labels look out for
 
 double length_of(Point p) { return std::sqrt(p.x * p.x + p.y * p.y); }
 
@@ -58,7 +58,7 @@ void Sheet::add_label(Point beside, double distance, const std::string& text, co
 }
 
 void Sheet::keep_free(Point point) {
-  if (busy_.size() < most_busy) busy_.push_back(point);
+  if (busy_.size() < max_busy) busy_.push_back(point);
 }
 
 double Sheet::cost(const Rectangle& place) const {

@@ -23,7 +23,7 @@ Box core_box(const World& world, const std::vector<DrawnPath>& paths) {
     if (is_finite(place)) box.add(place);
   };
   for (const DrawnPath& path : paths) {
-    const auto& stretches = path.trace.journey.stretches;
+    const auto& stretches = path.trace.path_trace.stretches;
     for (const std::vector<Vec3d>& stretch : stretches)
       if (!stretch.empty()) add(stretch.front());
     for (std::size_t i = 0; i + 1 < stretches.size(); ++i)
@@ -130,7 +130,7 @@ Box box_of_interest(const World& world, const std::vector<DrawnPath>& paths) {
   const double size = core.diagonal();
   Box box = core;
   for (const DrawnPath& path : paths)
-    for (const std::vector<Vec3d>& stretch : path.trace.journey.stretches)
+    for (const std::vector<Vec3d>& stretch : path.trace.path_trace.stretches)
       for (const Vec3d& point : stretch)
         if (is_finite(point) && (size == 0.0 || core.distance(point) <= 0.5 * size)) box.add(point);
   const double most = box.diagonal() > 0.0 ? largest_surface * box.diagonal()

@@ -103,7 +103,7 @@ Trace traced(const World& world, const Photon& photon, const TraceArguments& arg
   return trace_ray(world, photon, arguments.bounces.value_or(0));
 }
 
-/// Where the ways go: into a drawing, or a file of points for other programs.
+/// Where the paths go: into a drawing, or a file of points for other programs.
 class WaysFile {
  public:
   /// @throws SceneError if `file` is of another kind; WorkError if it can't be written

@@ -1,5 +1,5 @@
 /// \file
-/// One photon for `portalens trace`, from its start to its fate, with mirrors on the way if asked.
+/// One photon for `portalens trace`, from its start to its fate, with mirrors on the path if asked.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/json.h"
-#include "photon/engine.h"
+#include "lanes/engine.h"
 #include "render/layers.h"
 #include "world/world.h"
 
@@ -15,28 +15,29 @@ namespace portalens {
 
 /// What only a camera's photon has to tell.
 struct PixelView {
-  Sight sight;              ///< of its first surface: the values of the layers
-  std::vector<Rgb> gleams;  ///< light that reaches the film from each bounce, and from the end
+  FirstHit sight;  ///< of its first surface: the values of the layers
+  std::vector<Rgb>
+      contributions;  ///< light that reaches the film from each bounce, and from the end
 };
 
 struct Trace {
   Photon start;
-  /// The mirrors on the way. Lengths, turnings and steps, here and at the end, count from the
+  /// The mirrors on the path. Lengths, turnings and steps, here and at the end, count from the
   /// start.
   std::vector<Arrival> bounces;
   Arrival end;
-  Journey journey;
+  PathTrace path_trace;
   std::optional<PixelView> view;
 };
 
-/// Follows a photon to its end. The first `most_bounces` surfaces are taken for exact mirrors,
+/// Follows a photon to its end. The first `max_bounces` surfaces are taken for exact mirrors,
 /// whatever their material; masses, portals and the end are as always.
-[[nodiscard]] Trace trace_ray(const World& world, const Photon& start, int most_bounces);
+[[nodiscard]] Trace trace_ray(const World& world, const Photon& start, int max_bounces);
 
 /// Follows a camera's photon as `render` does, from bounce to bounce as the materials mirror it,
 /// with the same directions and the same light.
-/// @param most_bounces  stops earlier than `shading.max_bounces` if it is less
-[[nodiscard]] Trace trace_pixel(const World& world, const Photon& start, int most_bounces);
+/// @param max_bounces  stops earlier than `shading.max_bounces` if it is less
+[[nodiscard]] Trace trace_pixel(const World& world, const Photon& start, int max_bounces);
 
 /// What the arrival met, as the scene names it; empty if nothing.
 [[nodiscard]] std::string name_of_met(const World& world, const Arrival& arrival);
@@ -45,7 +46,7 @@ enum class PathOutput { omitted, included };
 
 /// The fields of scene-format.md, section 3. `bounces` is there if any were asked for, or if it is
 /// a camera's photon, which also has `ray`, `light` and `layers`.
-[[nodiscard]] Json trace_json(const World& world, const Trace& trace, int most_bounces,
+[[nodiscard]] Json trace_json(const World& world, const Trace& trace, int max_bounces,
                               PathOutput path);
 
 /// The same for people: a line, one more for each bounce, and the path if it is included.

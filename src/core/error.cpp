@@ -9,7 +9,7 @@
 namespace portalens {
 namespace {
 
-constexpr std::size_t most_told = 1000;  // nobody reads more
+constexpr std::size_t max_told = 1000;  // nobody reads more
 
 const std::string& file_of(const Location& where) {
   static const std::string command_line = "command line";
@@ -29,10 +29,10 @@ std::vector<Fault> sorted(std::vector<Fault> faults) {
   std::stable_sort(faults.begin(), faults.end(), [](const Fault& a, const Fault& b) {
     return std::tie(file_of(a.where), a.where.line) < std::tie(file_of(b.where), b.where.line);
   });
-  if (faults.size() > most_told) {
-    const Location where{faults[most_told].where.file, 0};
-    const std::string rest = std::to_string(faults.size() - most_told);
-    faults.resize(most_told);
+  if (faults.size() > max_told) {
+    const Location where{faults[max_told].where.file, 0};
+    const std::string rest = std::to_string(faults.size() - max_told);
+    faults.resize(max_told);
     faults.push_back({where, rest + " more faults", "mend these first"});
   }
   return faults;

@@ -35,9 +35,9 @@ struct MeshTree {
 struct Search {
   const Ray& ray;
   double low, high;
-  const Departure& departure;
+  const SelfIntersectionGuard& guard;
   std::optional<SurfaceHit> best;
-  LeftPlane left;  ///< the plane of the departure
+  LeftPlane left;  ///< the plane of the self-intersection guard
 
   /// Takes the hit if it is the nearest so far; then only nearer ones matter.
   void offer(const SurfaceHit& hit) {
@@ -120,20 +120,20 @@ const MeshTree* Accelerator::Implementation::mesh_of(std::uint32_t shape) const 
 }
 
 bool Accelerator::Implementation::left_behind(const Search& search, const SurfaceHit& hit) const {
-  const Departure& departure = search.departure;
+  const SelfIntersectionGuard& guard = search.guard;
   const Ray& ray = search.ray;
   if (search.left.plane != LeftPlane::none) {
     const auto* place = flush.find(hit.shape, hit.face);
     if (place && flush.is_behind(search.left, *place, ray, hit.distance)) return true;
   }
-  if (hit.shape != departure.shape) return false;
+  if (hit.shape != guard.shape) return false;
   const auto* quad = std::get_if<Quad>(&shapes[hit.shape]);
   const Vec3d normal = quad
                            ? quad->normal()
                            : surface_at(hit.shape, hit.face, ray.at(hit.distance)).geometric_normal;
   const double slope = dot(ray.direction, normal);
-  if (!(slope * departure.side > 0.0)) return false;
-  if (hit.face == departure.face && hit.distance <= departure.reach) return true;
+  if (!(slope * guard.side > 0.0)) return false;
+  if (hit.face == guard.face && hit.distance <= guard.reach) return true;
   const Box& box = boxes[hit.shape];
   const double rounding = rounding_at(ray.origin, box.middle()) + 1e-14 * box.diagonal();
   return hit.distance * std::fabs(slope) <= rounding;
@@ -180,7 +180,7 @@ SurfaceHit Accelerator::Implementation::uppermost(const SurfaceHit& hit, const R
 
 std::optional<SurfaceHit> Accelerator::Implementation::run(Search search) const {
   if (!is_finite(search.ray.origin) || !is_finite(search.ray.direction)) return std::nullopt;
-  if (search.departure.shape != no_object) search.left = flush.left_by(search.departure);
+  if (search.guard.shape != no_object) search.left = flush.left_by(search.guard);
   const Slab slab(search.ray);
   const auto may_meet = [&](std::uint32_t shape) {
     const auto [first, last] = slab.clip(boxes[shape], search.low, search.high);
@@ -216,13 +216,13 @@ const Box& Accelerator::bounds() const { return implementation_->bounds; }
 const FlushFaces& Accelerator::flush() const { return implementation_->flush; }
 
 std::optional<SurfaceHit> Accelerator::nearest(const Ray& ray, double low, double high,
-                                               const Departure& departure) const {
-  return implementation_->run({ray, low, high, departure, std::nullopt, {}});
+                                               const SelfIntersectionGuard& guard) const {
+  return implementation_->run({ray, low, high, guard, std::nullopt, {}});
 }
 
 bool Accelerator::blocked(const Ray& ray, double low, double high,
-                          const Departure& departure) const {
-  return nearest(ray, low, high, departure).has_value();
+                          const SelfIntersectionGuard& guard) const {
+  return nearest(ray, low, high, guard).has_value();
 }
 
 double Accelerator::clearance(Vec3d x, double limit) const {
@@ -271,7 +271,7 @@ std::optional<Contact> Accelerator::contact_near(std::uint32_t shape, std::uint3
     const auto own = mesh->cross_triangle(face, ray);
     if (own && std::fabs(*own) <= reach) return Contact{*own, face};
     const MeshTree* tree = all.mesh_of(shape);
-    const Departure none;
+    const SelfIntersectionGuard none;
     const auto search = [&](const Ray& way, double limit) -> std::optional<Contact> {
       Search query{way, 0.0, limit, none, std::nullopt, {}};
       all.try_mesh(query, *tree, 0.0);

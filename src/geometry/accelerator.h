@@ -38,14 +38,14 @@ class Accelerator {
   [[nodiscard]] const Box& bounds() const;
   [[nodiscard]] const FlushFaces& flush() const;
 
-  /// The nearest contact at low <= distance <= high. The departure holds for any face of its shape
-  /// and beyond its reach where the ray started no more than rounding away from that face: a path
-  /// may start on an edge, or graze; and for all faces in its plane.
+  /// The nearest contact at low <= distance <= high. The self-intersection guard holds for any face
+  /// of its shape and beyond its reach where the ray started no more than rounding away from that
+  /// face: a path may start on an edge, or graze; and for all faces in its plane.
   [[nodiscard]] std::optional<SurfaceHit> nearest(const Ray& ray, double low, double high,
-                                                  const Departure& departure = {}) const;
+                                                  const SelfIntersectionGuard& guard = {}) const;
   /// Whether anything lies at low <= distance <= high.
   [[nodiscard]] bool blocked(const Ray& ray, double low, double high,
-                             const Departure& departure = {}) const;
+                             const SelfIntersectionGuard& guard = {}) const;
   /// A lower bound of the distance from `x` to any surface, at most `limit`. By how much it falls
   /// short of a mesh, `DistanceGrid` tells.
   [[nodiscard]] double clearance(Vec3d x, double limit) const;

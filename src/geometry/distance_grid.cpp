@@ -7,7 +7,7 @@
 namespace portalens {
 namespace {
 
-constexpr int least_cells = 16, most_cells = 96;  ///< along the longest side of the box
+constexpr int least_cells = 16, max_cells = 96;  ///< along the longest side of the box
 constexpr double cells_a_triangle = 64.0;
 constexpr double parts = 4.0;  ///< of a cell's side, that distances are told in
 
@@ -122,13 +122,12 @@ DistanceGrid::DistanceGrid(const Mesh& mesh) {
   slack_ = 1e-12 * (box.diagonal() + length(box.middle()));
   const Vec3d size = high_ - low_;
   const auto triangles = static_cast<double>(mesh.triangle_count());
-  const double along =
-      std::clamp(std::cbrt(cells_a_triangle * triangles), static_cast<double>(least_cells),
-                 static_cast<double>(most_cells));
+  const double along = std::clamp(std::cbrt(cells_a_triangle * triangles),
+                                  static_cast<double>(least_cells), static_cast<double>(max_cells));
   cell_ = std::max({size.x, size.y, size.z}) / std::floor(along);
   per_cell_ = 1.0 / cell_;
   const auto cells_of = [&](double side) {
-    return std::clamp(static_cast<int>(std::ceil(side / cell_)), 1, most_cells);
+    return std::clamp(static_cast<int>(std::ceil(side / cell_)), 1, max_cells);
   };
   count_ = {cells_of(size.x), cells_of(size.y), cells_of(size.z)};
 
@@ -143,7 +142,7 @@ DistanceGrid::DistanceGrid(const Mesh& mesh) {
     cover_triangle(cover, cells_met, mesh.triangle(face), halvings);
 
   // So far that no sum of gaps is as much, nor overflows.
-  std::vector<std::uint32_t> cells = cover.covered(3u * most_cells * most_cells);
+  std::vector<std::uint32_t> cells = cover.covered(3u * max_cells * max_cells);
   std::size_t stride = 1;
   for (const int count : count_) {
     spread_along(cells, stride, count);
@@ -161,19 +160,19 @@ double DistanceGrid::clearance(Vec3d x) const {
   const CellIndex at = cell_at(inside);
   const int index = at[0] + count_[0] * (at[1] + count_[1] * at[2]);
   const double free = free_[static_cast<std::size_t>(index)] * (cell_ / parts);
-  // Seen from outside, the mesh lies behind the plane through `inside` across the way there.
+  // Seen from outside, the mesh lies behind the plane through `inside` across the path there.
   const Vec3d out = x - inside;
   const double away2 = dot(out, out);
   return std::max(0.0, (away2 > 0.0 ? std::sqrt(away2 + free * free) : free) - slack_);
 }
 
 double DistanceGrid::free_until(const Ray& ray, double low, double high, double radius) const {
-  constexpr int most_strides = 16;
+  constexpr int max_strides = 16;
   const double worth = 0.5 * cell_;
   // More than rounding can make of places on the ray.
   const double blur =
       1e-14 * (std::fabs(ray.origin.x) + std::fabs(ray.origin.y) + std::fabs(ray.origin.z) + high);
-  for (int i = 0; i < most_strides; ++i) {
+  for (int i = 0; i < max_strides; ++i) {
     const double free = clearance(ray.at(low)) - radius - blur;
     if (!(free > worth)) return low;
     low += free;

@@ -355,10 +355,10 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> FlushFaces::overlaps(std::s
   return pairs;
 }
 
-LeftPlane FlushFaces::left_by(const Departure& departure) const {
-  const Place* place = find(departure.shape, departure.face);
+LeftPlane FlushFaces::left_by(const SelfIntersectionGuard& guard) const {
+  const Place* place = find(guard.shape, guard.face);
   if (!place) return {};
-  return {place->plane, departure.side * place->side, departure.reach};
+  return {place->plane, guard.side * place->side, guard.reach};
 }
 
 }  // namespace portalens

@@ -24,17 +24,17 @@ inline constexpr std::uint32_t no_object = 0xffffffffu;
 /// The face that a path starts on. Within `reach` of its start the path can't meet that face again
 /// in the direction in which it left (rounding would let it); in the opposite direction it can. The
 /// same holds for all faces in its plane.
-struct Departure {
+struct SelfIntersectionGuard {
   std::uint32_t shape = no_object;  ///< or a opening: their numbers follow those of the shapes
   std::uint32_t face = 0;
   double side = 0.0;   ///< sign of (direction · geometric normal) when it left
   double reach = 0.0;  ///< length of path, from the start of the ray, within which this holds
 };
 
-/// How far a departure holds from places of that size: the longer the more it grazes, since faces
-/// of one plane may be apart by a billionth of it.
+/// How far a self-intersection guard holds from places of that size: the longer the more it grazes,
+/// since faces of one plane may be apart by a billionth of it.
 /// @param slope  (direction · normal)
-[[nodiscard]] inline double departure_reach(double size, double slope) {
+[[nodiscard]] inline double guard_reach(double size, double slope) {
   return 1e-6 * size / std::max(std::fabs(slope), 1e-3);
 }
 
@@ -110,7 +110,7 @@ class FlushFaces {
       std::size_t most) const;
   /// Whether any shape lies in the plane of something else.
   [[nodiscard]] bool any_shapes() const { return any_shapes_; }
-  [[nodiscard]] LeftPlane left_by(const Departure& departure) const;
+  [[nodiscard]] LeftPlane left_by(const SelfIntersectionGuard& guard) const;
 
   /// Whether a ray meets this face only since rounding lets it: the ray starts on that plane, or no
   /// further beside it than its thickness, and leaves it.

@@ -20,7 +20,7 @@ template <class Real>
 }
 
 /// How much closer than elsewhere a path must be followed that would pass a mass at the distance b
-/// if it were straight: near capture it magnifies every error made on the way. Measured, for steps
+/// if it were straight: near capture it magnifies every error made on the path. Measured, for steps
 /// that ignore b, as the error at the end over b/m.
 /// @param m2  square of the gravitational radius, b2  of the distance b
 template <class Real>
@@ -29,7 +29,7 @@ template <class Real>
 }
 
 /// How much a mass's nearness shortens steps, by the cosine of the angle between the path and the
-/// way to it: a step away from a mass sees its field change the less the longer it is, one towards
+/// path to it: a step away from a mass sees its field change the less the longer it is, one towards
 /// it the more. It is 1 straight towards it, and lets a step across be 1.4 times as long, one away
 /// 2.5 times. Measured on pictures of one and of three masses: a sixth fewer steps, for errors
 /// that are up to twice as large and far below the tolerance.

@@ -11,7 +11,7 @@
 namespace portalens {
 namespace {
 
-/// The same along the shortest way: what lies behind the plane is reached around an edge only.
+/// The same along the shortest path: what lies behind the plane is reached around an edge only.
 double felt_on_the_way(const Portal& exit, const Mass& mass) {
   const PortalFace face(exit);
   const Vec3d local = face.frame().to_local(mass.center);

@@ -42,7 +42,7 @@ void ClosestPointCoupling::compute_reaches() {
     }
 }
 
-double ClosestPointCoupling::quiet(Vec3d x) const {
+double ClosestPointCoupling::distance_to_support(Vec3d x) const {
   double least = std::numeric_limits<double>::infinity();
   for (std::uint32_t a = 0; a < gates_.size(); ++a) {
     const double acts_within = reach(a);
@@ -67,7 +67,8 @@ double still(const PortalFace& face, Feature feature, Vec3d local) {
 
 }  // namespace
 
-double ClosestPointCoupling::calm(Vec3d x, int depth, std::uint32_t left_out) const {
+double ClosestPointCoupling::distance_to_discontinuity(Vec3d x, int depth,
+                                                       std::uint32_t left_out) const {
   double least = std::numeric_limits<double>::infinity();
   if (depth <= 0) return least;
   for (std::uint32_t a = 0; a < gates_.size(); ++a) {
@@ -85,9 +86,9 @@ double ClosestPointCoupling::calm(Vec3d x, int depth, std::uint32_t left_out) co
       continue;
     }
     // Where it does not jump, the nearest point moves no faster than x does.
-    least = std::min(least, gate.face.calm(local));
+    least = std::min(least, gate.face.distance_to_discontinuity(local));
     const Vec3d beyond = gate.through.move(gate.face.frame().to_world(place));
-    double behind = calm(beyond, depth - 1, gate.pair);
+    double behind = distance_to_discontinuity(beyond, depth - 1, gate.pair);
     for (const Source& source : sources_)
       behind = std::min(behind,
                         std::fabs(length(source.center - beyond) - std::sqrt(source.influence2)));

@@ -21,7 +21,8 @@ class ClosestPointCoupling {
  public:
   static constexpr std::string_view name = "closest-point";
 
-  /// @pre depth >= 0; some reach is infinite if a mass's influence is, and then `quiet` is 0.
+  /// @pre depth >= 0; some reach is infinite if a mass's influence is, and then
+  /// `distance_to_support` is 0.
   explicit ClosestPointCoupling(const CouplingInput& input);
   [[nodiscard]] static CouplingCost cost(const CouplingInput& input);
 
@@ -31,9 +32,11 @@ class ClosestPointCoupling {
   [[nodiscard]] std::uint64_t signature(Vec3d x) const {
     return decisions(x, depth_, no_portal, 0);
   }
-  [[nodiscard]] double quiet(Vec3d x) const;
+  [[nodiscard]] double distance_to_support(Vec3d x) const;
   /// Of the reaches of all portals, and of the influences behind them.
-  [[nodiscard]] double calm(Vec3d x) const { return calm(x, depth_, no_portal); }
+  [[nodiscard]] double distance_to_discontinuity(Vec3d x) const {
+    return distance_to_discontinuity(x, depth_, no_portal);
+  }
   /// One part a chain of portals: all masses directly, as seen from the last of them. `places` are
   /// the nearest points, each on its own portal; `beyond` is the last, moved through; `distance`
   /// is the sum of |x - q|.
@@ -75,10 +78,10 @@ class ClosestPointCoupling {
                                      std::uint32_t left_out) const;
   [[nodiscard]] Pull passed_on(std::uint32_t portal, Vec3d q, Vec3d q_anchor, int depth) const;
   [[nodiscard]] Pull direct(Vec3d x, Vec3d anchor) const;
-  /// Adds the ways from x, which lies beyond the portals that `before` has passed.
+  /// Adds the paths from x, which lies beyond the portals that `before` has passed.
   void add_parts(Vec3d x, int depth, std::uint32_t left_out, const PullPart& before,
                  std::vector<PullPart>& parts) const;
-  [[nodiscard]] double calm(Vec3d x, int depth, std::uint32_t left_out) const;
+  [[nodiscard]] double distance_to_discontinuity(Vec3d x, int depth, std::uint32_t left_out) const;
   [[nodiscard]] std::uint64_t decisions(Vec3d x, int depth, std::uint32_t left_out,
                                         std::uint64_t path) const;
 

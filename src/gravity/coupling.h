@@ -12,13 +12,13 @@
 ///       value at x: so the field stays smooth over a step whose decisions are frozen.
 ///   std::uint64_t signature(Vec3d x) const;
 ///       a hash of all decisions at x: where it changes, the field is not smooth
-///   double quiet(Vec3d x) const;
+///   double distance_to_support(Vec3d x) const;
 ///       a lower bound of the distance from x to where the coupling acts; 0 where it does, infinite
 ///       if it never does
 ///   std::vector<PullPart> parts(Vec3d x) const;
 ///       what `pull(x, x)` is the sum of, one entry a way through portals
 /// and is immutable. It may have
-///   double calm(Vec3d x) const;
+///   double distance_to_discontinuity(Vec3d x) const;
 ///       a lower bound of the distance from x to the nearest place where a part of it begins or
 ///       ends to act, or of another decision that long steps could overlook when they graze it
 /// A coupling that acts infinitely far falls off with the square of the distance, and pulls towards

@@ -8,17 +8,17 @@
 
 namespace portalens {
 
-/// The cells of a table: first those of ways that end on the horizon, then those of the others.
+/// The cells of a table: first those of paths that end on the horizon, then those of the others.
 inline constexpr int captured_cells = 24;
 inline constexpr int passing_cells = 104;
 /// Of each cell: four coefficients, the constant first, each of tan(α/2), α, the length, and 0.
 inline constexpr int floats_per_cell = 16;
 
-/// Where the ways of one mass's table lie. Lengths are in radii of influence.
+/// Where the paths of one mass's table lie. Lengths are in radii of influence.
 template <class Real>
 struct CrossingRange {
   Real capture;  ///< b_c
-  Real scale;    ///< length over which passing ways change near capture
+  Real scale;    ///< length over which passing paths change near capture
   Real stretch;  ///< cells per step of (1 + (b - b_c) / scale)^(-1/2)
 };
 
@@ -28,7 +28,7 @@ struct CrossingPlace {
   Real cell, factor;
 };
 
-/// Of a way that meets the horizon, at an angle whose sine is b/b_c.
+/// Of a path that meets the horizon, at an angle whose sine is b/b_c.
 /// @pre b <= b_c
 template <class Real>
 [[nodiscard]] CrossingPlace<Real> captured_place(const CrossingRange<Real>& range, Real b) {
@@ -39,7 +39,7 @@ template <class Real>
   return {sqrt(max(cosine2, Real(0.0))) * Real(captured_cells), sine};
 }
 
-/// Of a way that leaves the influence. The cells are fine near capture, and far out equal steps of
+/// Of a path that leaves the influence. The cells are fine near capture, and far out equal steps of
 /// 1/√b: there α is nearly 2 m/b times the cosine of the angle to the radius at the rim.
 /// @param cosine  that one; the length, too, is the table's times it
 template <class Real>

@@ -15,7 +15,7 @@ constexpr double scale = 2.0;
 /// The table's ends, where what it holds is 0 / 0, are looked at from that far.
 constexpr double off_the_end = 1e-9;
 
-/// What both integrals along a way add up.
+/// What both integrals along a path add up.
 struct Integrals {
   double swept = 0.0, length = 0.0;
   friend Integrals operator+(Integrals a, Integrals b) {
@@ -30,7 +30,7 @@ double cosine_of(double sine) { return std::sqrt(std::fmax(0.0, (1.0 - sine) * (
 
 /// From the rim to the rim. With r = r0 / (1 - w²), and A = (b / n r)²,
 ///     ∫ b dr / (r √(n² r² - b²)) = ∫ 2 w exp(m w²/r0) / √(1 - A) dw,
-/// and the length, less that of the straight way from r0 on at right angles to the radius,
+/// and the length, less that of the straight path from r0 on at right angles to the radius,
 ///     ∫ (1/√(1 - A) - 1/√(1 - B)) dr,   B = (r0/r)²:
 /// both smooth up to w = 0 and far out.
 Crossing passing(double share, double b) {

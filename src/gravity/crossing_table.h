@@ -5,7 +5,7 @@
 /// With the impact parameter b, n r sin(angle to the radius) = b all the way (Bouguer). So a photon
 /// leaves the ball of radius R at the angle to the radius at which it entered, turned by α(b) in
 /// its plane; or, for b < b_c = 2 m exp(1/2 - m/R), it meets the horizon at an angle with the sine
-/// b/b_c. What is left to know is α(b) and the length of the way.
+/// b/b_c. What is left to know is α(b) and the length of the path.
 #pragma once
 
 #include <vector>
@@ -17,7 +17,7 @@ namespace portalens {
 struct Crossing {
   double half_tangent;  ///< tan(α/2)
   double turning;       ///< α, radians
-  double length;        ///< of the way, from the rim to the rim or to the horizon, in units of R
+  double length;        ///< of the path, from the rim to the rim or to the horizon, in units of R
 };
 
 /// By quadrature, to about 1e-10.

@@ -21,9 +21,9 @@ struct Surroundings {
   Vec3d anchor;
   std::vector<std::uint32_t> inside;  ///< masses in whose influence the anchor lies, ascending
   std::uint64_t signature = 0;        ///< of the coupling
-  double quiet = 0.0;                 ///< distance within which the coupling stays silent
+  double distance_to_support = 0.0;   ///< distance within which the coupling stays silent
 
-  [[nodiscard]] bool silent() const { return inside.empty() && quiet > 0.0; }
+  [[nodiscard]] bool silent() const { return inside.empty() && distance_to_support > 0.0; }
 };
 
 /// g / c² at a point, and the sums from which a step is chosen and judged.
@@ -49,7 +49,7 @@ class Field {
     out.inside.clear();
     for (const std::uint32_t i : near)
       if (within(masses_[i], anchor)) out.inside.push_back(i);
-    out.quiet = coupling_.quiet(anchor);
+    out.distance_to_support = coupling_.distance_to_support(anchor);
     out.signature = coupling_.signature(anchor);
   }
 
@@ -57,7 +57,7 @@ class Field {
   [[nodiscard]] bool acts(Vec3d x, std::span<const std::uint32_t> near) const {
     for (const std::uint32_t i : near)
       if (within(masses_[i], x)) return true;
-    return coupling_.quiet(x) == 0.0;
+    return coupling_.distance_to_support(x) == 0.0;
   }
 
   /// @param t  direction of the path, a unit vector: steps depend on it, the acceleration doesn't
@@ -77,7 +77,7 @@ class Field {
       sum.nearness += inverse2 * inverse2 * approach_weight(along * inverse);
       sum.gradient += 2.0 * pull;
     }
-    if (frozen.quiet == 0.0) {
+    if (frozen.distance_to_support == 0.0) {
       const Pull through = coupling_.pull(x, frozen.anchor);
       sum.acceleration += through.acceleration * inverse_c2_;
       sum.stiffness += through.stiffness * inverse_c2_ * distant_weight;
@@ -91,9 +91,9 @@ class Field {
 
   /// A lower bound of the distance to where the coupling begins or ends to act; infinite if it
   /// doesn't tell.
-  [[nodiscard]] double calm(Vec3d x) const {
-    if constexpr (requires { coupling_.calm(x); })
-      return coupling_.calm(x);
+  [[nodiscard]] double distance_to_discontinuity(Vec3d x) const {
+    if constexpr (requires { coupling_.distance_to_discontinuity(x); })
+      return coupling_.distance_to_discontinuity(x);
     else
       return std::numeric_limits<double>::infinity();
   }
@@ -103,10 +103,10 @@ class Field {
     const double least = tree_.entry(ray);
     double s = 0.0;
     while (s < least) {
-      const double quiet = coupling_.quiet(ray.at(s));
-      if (std::isinf(quiet) || s > extent) return least;
-      if (quiet <= resolution) return s;
-      s += quiet;
+      const double distance_to_support = coupling_.distance_to_support(ray.at(s));
+      if (std::isinf(distance_to_support) || s > extent) return least;
+      if (distance_to_support <= resolution) return s;
+      s += distance_to_support;
     }
     return least;
   }

@@ -85,7 +85,7 @@ void GravitonGrid::find_sharp() {
       }
 }
 
-double GravitonGrid::calm(Cell cell, Vec3d at) const {
+double GravitonGrid::distance_to_discontinuity(Cell cell, Vec3d at) const {
   const std::uint32_t apart = to_sharp(cell);
   if (apart == 0 || apart == none_sharp) return std::numeric_limits<double>::infinity();
   if (apart > 1) return (apart - 1) * std::min(spacing_x_, spacing_y_);

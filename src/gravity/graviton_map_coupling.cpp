@@ -93,14 +93,14 @@ std::uint64_t GravitonMapCoupling::signature(Vec3d x) const {
   return total;
 }
 
-double GravitonMapCoupling::calm(Vec3d x) const {
-  double least = exact_.calm(x);
+double GravitonMapCoupling::distance_to_discontinuity(Vec3d x) const {
+  double least = exact_.distance_to_discontinuity(x);
   Draw draw;
   for (std::uint32_t a = 0; a < grids_.size(); ++a) {
     if (!draws(a, x, draw)) continue;
     const PortalFace& face = exact_.face(a);
     const Vec3d place = face.place(draw.feature, face.frame().to_local(x));
-    least = std::min(least, grids_[a].calm(draw.cell, place));
+    least = std::min(least, grids_[a].distance_to_discontinuity(draw.cell, place));
   }
   return least;
 }
@@ -129,7 +129,7 @@ GravitonMapError GravitonMapCoupling::error(std::uint32_t portal) const {
   if (!(exact_.reach(portal) > 0.0)) return {};
   const GravitonGrid& grid = grids_[portal];
   const PortalFace& face = exact_.face(portal);
-  double sum_difference = 0.0, sum_exact = 0.0, most_difference = 0.0, most_exact = 0.0;
+  double sum_difference = 0.0, sum_exact = 0.0, max_difference = 0.0, max_exact = 0.0;
   for (std::uint32_t j = 0; j + 1 < grid.count_y(); ++j)
     for (std::uint32_t i = 0; i + 1 < grid.count_x(); ++i) {
       const Vec3d place = grid.place(i + 0.5, j + 0.5);
@@ -139,11 +139,11 @@ GravitonMapError GravitonMapCoupling::error(std::uint32_t portal) const {
       const Vec3d difference = grid.interpolate({i, j}, place).acceleration - exact;
       sum_difference += dot(difference, difference);
       sum_exact += dot(exact, exact);
-      most_difference = std::max(most_difference, dot(difference, difference));
-      most_exact = std::max(most_exact, dot(exact, exact));
+      max_difference = std::max(max_difference, dot(difference, difference));
+      max_exact = std::max(max_exact, dot(exact, exact));
     }
-  if (!(most_exact > 0.0)) return {};
-  return {std::sqrt(sum_difference / sum_exact), std::sqrt(most_difference / most_exact)};
+  if (!(max_exact > 0.0)) return {};
+  return {std::sqrt(sum_difference / sum_exact), std::sqrt(max_difference / max_exact)};
 }
 
 }  // namespace portalens

@@ -37,9 +37,9 @@ class GravitonMapCoupling {
 
   [[nodiscard]] Pull pull(Vec3d x, Vec3d anchor) const;
   [[nodiscard]] std::uint64_t signature(Vec3d x) const;
-  [[nodiscard]] double quiet(Vec3d x) const { return exact_.quiet(x); }
+  [[nodiscard]] double distance_to_support(Vec3d x) const { return exact_.distance_to_support(x); }
   /// Of the reaches of all portals, and of sharp cells.
-  [[nodiscard]] double calm(Vec3d x) const;
+  [[nodiscard]] double distance_to_discontinuity(Vec3d x) const;
 
   /// One part a portal: its look-up. `places` has the nearest point of the face, `beyond` is that
   /// point moved through, and `distance` how far it is.

@@ -18,7 +18,9 @@ class NoCoupling {
   [[nodiscard]] Pull pull(Vec3d, Vec3d) const { return {}; }
   [[nodiscard]] std::uint64_t signature(Vec3d) const { return 0; }
   [[nodiscard]] std::vector<PullPart> parts(Vec3d) const { return {}; }
-  [[nodiscard]] double quiet(Vec3d) const { return std::numeric_limits<double>::infinity(); }
+  [[nodiscard]] double distance_to_support(Vec3d) const {
+    return std::numeric_limits<double>::infinity();
+  }
 };
 
 }  // namespace portalens

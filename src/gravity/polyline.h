@@ -32,7 +32,7 @@ struct Polyline {
 };
 
 /// Minimises |a - y| + |y - b| over the slide: with both ends turned about its line into one plane,
-/// on opposite sides of it, the way is straight.
+/// on opposite sides of it, the path is straight.
 /// @return the place along the slide
 [[nodiscard]] double best_place(const Slide& slide, Vec3d a, Vec3d b);
 

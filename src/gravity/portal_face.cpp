@@ -63,7 +63,7 @@ Feature PortalFace::nearest_from_outside(double x, double y) const {
   return best;
 }
 
-double PortalFace::calm(Vec3d local) const {
+double PortalFace::distance_to_discontinuity(Vec3d local) const {
   // Beside the polygon's column it moves steadily. Within, it jumps at the plane and, behind that,
   // where another edge becomes the nearest: none of these is nearer than any of the three bounds.
   constexpr double infinity = std::numeric_limits<double>::infinity();

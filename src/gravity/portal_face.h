@@ -1,6 +1,6 @@
 /// \file
 /// A portal's polygon, ready for the questions that gravity asks: what of it is nearest to a point,
-/// and whether a straight way runs through it. equations.md, sec. 5.
+/// and whether a straight path runs through it. equations.md, sec. 5.
 #pragma once
 
 #include <cstdint>
@@ -62,7 +62,7 @@ class PortalFace {
   }
 
   /// Within this distance of `local` the nearest point does not jump.
-  [[nodiscard]] double calm(Vec3d local) const;
+  [[nodiscard]] double distance_to_discontinuity(Vec3d local) const;
 
   /// The point of `feature` nearest to `local`, in local coordinates. An edge counts as its whole
   /// line and the face as its whole plane, so this is smooth in `local`.

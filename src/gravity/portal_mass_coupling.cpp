@@ -61,7 +61,7 @@ Pull PortalMassCoupling::pull(Vec3d x, Vec3d anchor) const {
   return total;
 }
 
-double PortalMassCoupling::calm(Vec3d x) const {
+double PortalMassCoupling::distance_to_discontinuity(Vec3d x) const {
   double least = std::numeric_limits<double>::infinity();
   for (const Image& image : images_)
     least = std::min(least, std::fabs(length(image.center - x) - image.influence));
@@ -91,7 +91,7 @@ std::uint64_t PortalMassCoupling::signature(Vec3d x) const {
   return total;
 }
 
-double PortalMassCoupling::quiet(Vec3d x) const {
+double PortalMassCoupling::distance_to_support(Vec3d x) const {
   double least = std::numeric_limits<double>::infinity();
   for (const Image& image : images_)
     least = std::min(least, std::max(0.0, length(image.center - x) - image.influence));

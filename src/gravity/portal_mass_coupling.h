@@ -23,8 +23,8 @@ class PortalMassCoupling {
 
   [[nodiscard]] Pull pull(Vec3d x, Vec3d anchor) const;
   [[nodiscard]] std::uint64_t signature(Vec3d x) const;
-  [[nodiscard]] double quiet(Vec3d x) const;
-  [[nodiscard]] double calm(Vec3d x) const;
+  [[nodiscard]] double distance_to_support(Vec3d x) const;
+  [[nodiscard]] double distance_to_discontinuity(Vec3d x) const;
   /// One part a portal; all its places are the centroid.
   [[nodiscard]] std::vector<PullPart> parts(Vec3d x) const;
 

@@ -17,7 +17,7 @@ struct PullPart {
   std::optional<std::uint32_t> mass;   ///< what pulls, if it is one mass alone
   Vec3d acceleration;                  ///< as it is felt at the point
   Vec3d entrance;                      ///< on the face of the first portal
-  std::vector<Vec3d> places;           ///< where the way touches faces
+  std::vector<Vec3d> places;           ///< where the path touches faces
   Vec3d beyond;                        ///< where it leads to
   double distance = 0.0;               ///< how long it is
 };

@@ -189,10 +189,11 @@ std::uint64_t ShortestPathCoupling::signature(Vec3d x) const {
   return total;
 }
 
-/// A way's length changes by no more than x does: so its distance from the influence bounds how far
-/// off the place is where the image begins or ceases to act. Through one portal, as far as the way
-/// runs over the same feature, too; through several that is looked for at shares of a step alone.
-double ShortestPathCoupling::calm(const Image& image, Vec3d x) const {
+/// A path's length changes by no more than x does: so its distance from the influence bounds how
+/// far off the place is where the image begins or ceases to act. Through one portal, as far as the
+/// path runs over the same feature, too; through several that is looked for at shares of a step
+/// alone.
+double ShortestPathCoupling::distance_to_discontinuity(const Image& image, Vec3d x) const {
   const Entrance& entrance = entrances_[links_[image.link].first];
   const double aside = length(x - entrance.center) - entrance.radius + image.beyond;
   const double least = std::max(aside, length(image.center - x)) - image.influence;
@@ -204,16 +205,16 @@ double ShortestPathCoupling::calm(const Image& image, Vec3d x) const {
   if (!shortest_passages(x, image.center, faces, limit, passages)) return 0.25 * image.influence;
   const double beyond = follow(x, image.center, faces, passages).length - image.influence;
   if (beyond >= 0.0 || faces.size() > 1) return std::fabs(beyond);
-  return std::min(-beyond, calm_passage(x, image.center, *faces[0]));
+  return std::min(-beyond, clear_passage(x, image.center, *faces[0]));
 }
 
-double ShortestPathCoupling::calm(Vec3d x) const {
+double ShortestPathCoupling::distance_to_discontinuity(Vec3d x) const {
   double least = std::numeric_limits<double>::infinity();
-  for (const Image& image : images_) least = std::min(least, calm(image, x));
+  for (const Image& image : images_) least = std::min(least, distance_to_discontinuity(image, x));
   return least;
 }
 
-double ShortestPathCoupling::quiet(Vec3d x) const {
+double ShortestPathCoupling::distance_to_support(Vec3d x) const {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t a = 0; a < faces_.size(); ++a)
     if (entrances_[a].reach > 0.0)

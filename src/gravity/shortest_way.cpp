@@ -10,7 +10,7 @@ namespace portalens {
 
 namespace {
 
-/// Lengths of ways over the insides of edges that differ by less than this share are a tie.
+/// Lengths of paths over the insides of edges that differ by less than this share are a tie.
 constexpr double tie = 1e-13;
 
 /// Where, as a share of its length, the segment from a to b crosses the face from front to back;
@@ -64,7 +64,7 @@ bool shortest_by_one(Vec3d from, Vec3d to, const PortalFace& face, double limit,
 /// How far `a` may move, at the least, before a straight way through the face begins or ceases;
 /// ends are given in the face's coordinates. It is straight from in front of the face, within the
 /// pyramid over it whose top is `b`.
-double calm_sight(const PortalFace& face, Vec3d a, Vec3d b) {
+double clear_line(const PortalFace& face, Vec3d a, Vec3d b) {
   const double tolerance = face.height_tolerance(), height = a.z + tolerance;
   if (b.z > tolerance) return std::numeric_limits<double>::infinity();
   if (b.z >= 0.0) return 0.0;
@@ -78,7 +78,7 @@ double calm_sight(const PortalFace& face, Vec3d a, Vec3d b) {
   return outside <= 0.0 ? std::min(-outside, height) : outside;
 }
 
-/// How much longer than the shortest way over the rim that over another feature is.
+/// How much longer than the shortest path over the rim that over another feature is.
 double lead_over_rim(const PortalFace& face, Vec3d a, Vec3d b) {
   double least = std::numeric_limits<double>::infinity(), second = least;
   Passage best = straight_passage;
@@ -113,13 +113,13 @@ class Search {
   static constexpr std::int32_t open = -1;      ///< nothing is asked of the face yet
   static constexpr std::int32_t straight = -2;  ///< it must be passed straight in the end
 
-  /// What stands against the way as it is: a face to decide next, or none.
+  /// What stands against the path as it is: a face to decide next, or none.
   struct Verdict {
     bool legal = true;
     std::size_t next = max_chain;
   };
 
-  /// Bounds the search by the length of some allowed way: each face in turn is passed as is best
+  /// Bounds the search by the length of some allowed path: each face in turn is passed as is best
   /// between its neighbours.
   void guess() {
     std::array<Vec3d, max_chain> points;
@@ -171,7 +171,7 @@ class Search {
     choice_[i] = open;
   }
 
-  /// The shortest way over the chosen edges that ignores all other faces.
+  /// The shortest path over the chosen edges that ignores all other faces.
   /// @return false if it can't be short enough
   bool relax() {
     way_.count = 0;
@@ -185,7 +185,7 @@ class Search {
     return shorten(way_, cutoff_);
   }
 
-  /// Whether the way runs straight through all the faces that it has no edge of; if not, the face
+  /// Whether the path runs straight through all the faces that it has no edge of; if not, the face
   /// to branch on: one that it misses, else, if a face that must be passed straight is missed,
   /// any that is open.
   [[nodiscard]] Verdict judge() const {
@@ -234,7 +234,7 @@ class Search {
   }
 
   FaceRow faces_;
-  double cutoff_;  ///< ways must be shorter
+  double cutoff_;  ///< paths must be shorter
   Passages& best_;
   double best_length_ = std::numeric_limits<double>::infinity();
   bool best_insides_ = false, found_ = false;
@@ -249,9 +249,9 @@ bool shortest_passages(Vec3d from, Vec3d to, FaceRow faces, double limit, Passag
   return Search(from, to, faces, limit, out).run();
 }
 
-double calm_passage(Vec3d from, Vec3d to, const PortalFace& face) {
+double clear_passage(Vec3d from, Vec3d to, const PortalFace& face) {
   const Vec3d a = face.frame().to_local(from), b = face.frame().to_local(to);
-  const double sight = calm_sight(face, a, b);
+  const double sight = clear_line(face, a, b);
   if (straight_through(face, a, b) >= 0.0) return sight;
   // Both lengths change by no more than the place does.
   return std::min(sight, 0.5 * lead_over_rim(face, a, b));

@@ -1,10 +1,11 @@
 /// \file
-/// The shortest way from a point to another through a row of faces, unfolded: equations.md, sec. 5.
+/// The shortest path from a point to another through a row of faces, unfolded: equations.md,
+/// sec. 5.
 ///
-/// A way crosses the inside of a face only straight and from front to back; else it bends on the
+/// A path crosses the inside of a face only straight and from front to back; else it bends on the
 /// face's rim. For one face the best point of an edge has a closed form (`best_place`). For several
 /// the length is convex in the places along given edges, and which edges is found by branch and
-/// bound: a face that is left out can only make the way shorter.
+/// bound: a face that is left out can only make the path shorter.
 #pragma once
 
 #include <array>
@@ -19,7 +20,7 @@ namespace portalens {
 /// The faces of a chain, in the order of passing.
 using FaceRow = std::span<const PortalFace* const>;
 
-/// How a way passes one face: straight through its inside, or by a feature of its rim.
+/// How a path passes one face: straight through its inside, or by a feature of its rim.
 struct Passage {
   enum class Kind : std::uint8_t { straight, edge, vertex };
   Kind kind;
@@ -31,7 +32,7 @@ struct Passage {
 };
 inline constexpr Passage straight_passage{Passage::Kind::straight, 0};
 
-/// The discrete part of a way: one entry a face.
+/// The discrete part of a path: one entry a face.
 using Passages = std::array<Passage, max_chain>;
 
 /// The continuous part.
@@ -41,7 +42,7 @@ struct Way {
   bool straight = true;  ///< it bends nowhere
 };
 
-/// Finds the passages of the shortest way, if it is shorter than `limit`. Between edges that are
+/// Finds the passages of the shortest path, if it is shorter than `limit`. Between edges that are
 /// equally good the lower index wins.
 /// @param from  at height 0 over a face it counts as in front
 /// @param to    at height 0 it counts as behind
@@ -50,12 +51,12 @@ struct Way {
 [[nodiscard]] bool shortest_passages(Vec3d from, Vec3d to, FaceRow faces, double limit,
                                      Passages& out);
 
-/// Within this distance of `from` the shortest way does not jump: it passes one face as it does
+/// Within this distance of `from` the shortest path does not jump: it passes one face as it does
 /// there, but that it may slide from an edge onto a vertex of it, or back.
-[[nodiscard]] double calm_passage(Vec3d from, Vec3d to, const PortalFace& face);
+[[nodiscard]] double clear_passage(Vec3d from, Vec3d to, const PortalFace& face);
 
-/// The way with these passages, an edge counting as its whole line: smooth in `from`. Its bends are
-/// the points of the polyline, one for each passage that is not straight.
+/// The path with these passages, an edge counting as its whole line: smooth in `from`. Its bends
+/// are the points of the polyline, one for each passage that is not straight.
 [[nodiscard]] Polyline bends(Vec3d from, Vec3d to, FaceRow faces, const Passages& passages);
 
 /// The length and the first bend of that way.

@@ -16,15 +16,15 @@ template <class Real>
 struct BesideLine {
   Real along_a, off_a, along_b, off_b;
 
-  /// Where the shortest way from a to b over the line meets it: with both turned about it into one
-  /// plane, on opposite sides, the way is straight.
+  /// Where the shortest path from a to b over the line meets it: with both turned about it into one
+  /// plane, on opposite sides, the path is straight.
   [[nodiscard]] Real meeting() const {
     const Real off = off_a + off_b;
     return select(off > Real(0), (along_a * off_b + along_b * off_a) / off, along_a);
   }
 };
 
-/// The shortest way over a piece of the line, from 0 to `size`: its length, and where it meets it.
+/// The shortest path over a piece of the line, from 0 to `size`: its length, and where it meets it.
 template <class Real>
 struct RimWay {
   Real length, place;
@@ -48,8 +48,8 @@ template <class Real>
   return gm * length / (square * sqrt(square) * sqrt(near2));
 }
 
-/// The square of the length over which what comes along a way varies. Beside a rim its direction
-/// turns within the distance to it. Not resolved closer than a thousandth of the way: what that
+/// The square of the length over which what comes along a path varies. Beside a rim its direction
+/// turns within the distance to it. Not resolved closer than a thousandth of the path: what that
 /// leaves out is as small a share of the pull.
 template <class Real, class Mask>
 [[nodiscard]] Real way_scale2(Mask straight, Real square, Real near2) {

@@ -65,7 +65,7 @@ class Cursor {
 
 void check_size(std::int64_t width, std::int64_t height) {
   if (width < 1 || height < 1) throw Refusal{"holds no flat picture", "save it as an ordinary one"};
-  if (width > most_image_side || height > most_image_side || width * height > most_image_pixels)
+  if (width > max_image_side || height > max_image_side || width * height > max_image_pixels)
     throw Refusal{"is " + std::to_string(width) + " x " + std::to_string(height),
                   "a side has at most 16384 pixels, the whole at most 16384 x 8192"};
 }
@@ -233,7 +233,7 @@ struct ExrPart {
   void check(std::size_t size) const {
     if (bytes_a_pixel == 0) refuse_as_broken("it has no channels");
     check_size(width, height);
-    if (bytes_a_pixel * width * height > 12 * most_image_pixels)
+    if (bytes_a_pixel * width * height > 12 * max_image_pixels)
       throw Refusal{"has " + std::to_string(bytes_a_pixel) + " bytes a pixel", "use a smaller one"};
     std::int64_t chunks = (height - 1) / coding.lines + 1;
     std::int64_t at_once = bytes_a_pixel * width * std::min(coding.lines, height);

@@ -10,8 +10,8 @@
 
 namespace portalens {
 
-inline constexpr std::int64_t most_image_side = 16384;
-inline constexpr std::int64_t most_image_pixels = std::int64_t{1} << 27;  // 1.5 GiB of floats
+inline constexpr std::int64_t max_image_side = 16384;
+inline constexpr std::int64_t max_image_pixels = std::int64_t{1} << 27;  // 1.5 GiB of floats
 
 /// Why a picture can't be used.
 struct Refusal {

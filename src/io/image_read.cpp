@@ -23,7 +23,7 @@
 namespace portalens {
 namespace {
 
-constexpr std::uint64_t most_bytes = std::uint64_t{1} << 30;
+constexpr std::uint64_t max_bytes = std::uint64_t{1} << 30;
 
 const char* name_of(ImageFormat format) {
   switch (format) {
@@ -53,8 +53,8 @@ std::array<int, 3> color_channels(const OIIO::ImageSpec& spec) {
 void check_header(const OIIO::ImageSpec& spec) {
   if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1 || spec.deep)
     throw Refusal{"holds no flat picture", "save it as an ordinary picture"};
-  if (spec.width > most_image_side || spec.height > most_image_side ||
-      std::int64_t{spec.width} * spec.height > most_image_pixels)
+  if (spec.width > max_image_side || spec.height > max_image_side ||
+      std::int64_t{spec.width} * spec.height > max_image_pixels)
     throw Refusal{"has a size that its header hides", "save it again"};
 }
 
@@ -97,7 +97,7 @@ void check_finite(const Image& image) {
 ChannelPicture all_channels_of(OIIO::ImageInput& input) {
   const OIIO::ImageSpec spec = input.spec();
   check_header(spec);
-  if (std::int64_t{spec.width} * spec.height * spec.nchannels > 3 * most_image_pixels)
+  if (std::int64_t{spec.width} * spec.height * spec.nchannels > 3 * max_image_pixels)
     throw Refusal{"has " + std::to_string(spec.nchannels) + " channels", "use a smaller one"};
   ChannelPicture picture{spec.width, spec.height, {}};
   const auto pixels = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
@@ -156,7 +156,7 @@ template <class Decoded>
 auto read_picture(const std::filesystem::path& file, const Location& asked_at, Faults& faults,
                   Digests* digests, const Decoded& decoded)
     -> std::optional<decltype(decoded(std::string{}, ImageFormat{}))> {
-  auto bytes = read_file(file, most_bytes, asked_at, faults, digests);
+  auto bytes = read_file(file, max_bytes, asked_at, faults, digests);
   if (!bytes) return std::nullopt;
   const std::string name = "the picture " + file.filename().string() + " ";
   const auto format = image_format(*bytes);

@@ -13,8 +13,8 @@
 namespace portalens {
 namespace {
 
-constexpr std::size_t most_materials = 10000;
-constexpr std::size_t most_faults = 100;
+constexpr std::size_t max_materials = 10000;
+constexpr std::size_t max_faults = 100;
 constexpr std::int64_t first_mirroring = 3;  // illum 3: "reflection on and ray trace on"
 
 class MtlReader {
@@ -24,7 +24,7 @@ class MtlReader {
 
   std::vector<Table> read() {
     const std::size_t before = faults_->size();
-    while (lines_.next() && faults_->size() - before < most_faults) statement();
+    while (lines_.next() && faults_->size() - before < max_faults) statement();
     finish_material();
     return std::move(materials_);
   }
@@ -62,7 +62,7 @@ class MtlReader {
     finish_material();
     std::string name = lines_.rest();
     if (name.empty()) faults_->add(here(), "newmtl without a name", "write newmtl NAME");
-    if (materials_.size() == most_materials) {
+    if (materials_.size() == max_materials) {
       faults_->add(here(), "more than 10000 materials", "use fewer");
       return;
     }

@@ -11,7 +11,7 @@
 namespace portalens {
 namespace {
 
-constexpr std::size_t most_dialect = std::size_t{64} << 20;
+constexpr std::size_t max_dialect = std::size_t{64} << 20;
 
 enum class Kind { dialect, ordinary };
 
@@ -77,7 +77,7 @@ void read_obj(std::string_view text, const std::shared_ptr<const std::string>& n
   const Location whole{name, 0};
   if (kind_of(text) == Kind::ordinary) {
     read_as_mesh(whole, scene);
-  } else if (text.size() > most_dialect) {
+  } else if (text.size() > max_dialect) {
     scene.faults.add(whole, "longer than 64 MiB", "put its faces into a mesh");
   } else if (TokenStream(text).peek().at_end()) {
     scene.faults.add(whole, "the file has no statement", "describe a scene in it");

@@ -8,7 +8,7 @@
 namespace portalens {
 namespace {
 
-constexpr std::size_t most_materials = 10000;
+constexpr std::size_t max_materials = 10000;
 
 }  // namespace
 
@@ -121,7 +121,7 @@ bool ObjReader::material() {
     good = material_entry(table, word.text);
   }
   if (good) good = finish_material(table);
-  if (scene_->materials.size() == most_materials) {
+  if (scene_->materials.size() == max_materials) {
     faults_->add(here(), "more than 10000 materials", "use fewer");
     return false;
   }

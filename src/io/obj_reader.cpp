@@ -10,7 +10,7 @@
 namespace portalens {
 namespace {
 
-constexpr std::size_t most_faults = 1000;
+constexpr std::size_t max_faults = 1000;
 
 bool looks_like_index(const Token& token) {
   return !token.at_end() && (token.text[0] == '-' || token.text[0] == '+' ||
@@ -89,8 +89,8 @@ void ObjReader::read() {
     current_ = statement;
     statement_ = token;
     if (!(this->*statement->read)()) skip_to_statement(tokens_.peek().line);
-    if (scene_->objects.size() > most_objects) {
-      faults_->add(here(), "more than " + std::to_string(most_objects) + " objects",
+    if (scene_->objects.size() > max_objects) {
+      faults_->add(here(), "more than " + std::to_string(max_objects) + " objects",
                    "put them in a mesh");
       return;
     }
@@ -124,8 +124,8 @@ void ObjReader::skip_to_statement(int line) {
 }
 
 bool ObjReader::too_many_faults() {
-  if (faults_->size() < most_faults) return false;
-  faults_->add(here(), "more than " + std::to_string(most_faults) + " faults",
+  if (faults_->size() < max_faults) return false;
+  faults_->add(here(), "more than " + std::to_string(max_faults) + " faults",
                "mend these first; what follows has not been read");
   return true;
 }

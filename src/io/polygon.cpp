@@ -30,11 +30,11 @@ class EarClipper {
     // the polygon crosses itself, and whatever corner comes is cut. So it is when the work is out
     // of all proportion: a file made to be slow must not be.
     std::size_t at = 0, refused = 0, work = 0;
-    const std::size_t most_work = 32 * left_.size() * left_.size();
+    const std::size_t max_work = 32 * left_.size() * left_.size();
     while (left_.size() > 3) {
       at %= left_.size();
       work += left_.size();
-      if (work < most_work && refused < left_.size() && !is_ear(at)) {
+      if (work < max_work && refused < left_.size() && !is_ear(at)) {
         ++refused;
         ++at;
         continue;

@@ -1,5 +1,5 @@
 /// \file
-/// Ways of photons out, for other programs: OBJ, PLY, glTF and CSV.
+/// Paths of photons out, for other programs: OBJ, PLY, glTF and CSV.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace portalens {
 
-/// One stretch of a photon's way, between portals.
+/// One stretch of a photon's path, between portals.
 struct PathLine {
   std::size_t photon = 0, stretch = 0;  ///< counted from 0
   std::vector<Vec3d> points;
@@ -35,7 +35,7 @@ struct RoundBody {
   Rgb color;
 };
 
-/// Ways, and the bodies that explain them.
+/// Paths, and the bodies that explain them.
 struct PathPicture {
   std::vector<PathLine> lines;
   std::vector<FlatBody> flats;

@@ -1,4 +1,4 @@
-// Ways of photons as glTF 2.0 (Khronos Group; ISO/IEC 12113:2022): one file, its buffer inside as
+// Paths of photons as glTF 2.0 (Khronos Group; ISO/IEC 12113:2022): one file, its buffer inside as
 // base64. Positions and colours are floats, colours linear, as the format has them.
 #include <fmt/format.h>
 

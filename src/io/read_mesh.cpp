@@ -24,11 +24,11 @@
 namespace portalens {
 namespace {
 
-constexpr std::uint64_t most_bytes = std::uint64_t{1} << 30;
-constexpr std::uint64_t most_mtl_bytes = std::uint64_t{16} << 20;
-constexpr std::size_t most_corners = 1000;  // of one polygon
-constexpr std::size_t most_faults = 100;
-constexpr double most_far = 1e15;  // single precision squares it
+constexpr std::uint64_t max_bytes = std::uint64_t{1} << 30;
+constexpr std::uint64_t max_mtl_bytes = std::uint64_t{16} << 20;
+constexpr std::size_t max_corners = 1000;  // of one polygon
+constexpr std::size_t max_faults = 100;
+constexpr double max_far = 1e15;  // single precision squares it
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
 /// Statements that say nothing about surfaces, and are passed over.
@@ -46,7 +46,7 @@ class MeshReader {
         before_(faults.size()) {}
 
   MeshFile read() {
-    while (faults_->size() - before_ < most_faults && lines_.next()) statement();
+    while (faults_->size() - before_ < max_faults && lines_.next()) statement();
     check_indices_ahead();
     if (faults_->size() == before_ && mesh_.corners.empty()) {
       faults_->add({file_, 0}, "the mesh has no faces", "check that the file is whole");
@@ -104,7 +104,7 @@ class MeshReader {
     Vec3d result;
     for (std::size_t i = 0; i < count; ++i) {
       const auto value = parse_number(words[i + 1]);
-      if (!value || std::fabs(*value) > most_far) {
+      if (!value || std::fabs(*value) > max_far) {
         refuse(in_quotes(words[i + 1]) + " is not a number of at most 1e15", "write " + form);
         return std::nullopt;
       }
@@ -164,7 +164,7 @@ class MeshReader {
   void face() {
     const auto& words = lines_.words();
     const std::size_t count = words.size() - 1;
-    if (count < 3 || count > most_corners) {
+    if (count < 3 || count > max_corners) {
       refuse("a face of " + std::to_string(count) + " corners", "give it 3 to 1000");
       return;
     }
@@ -175,7 +175,7 @@ class MeshReader {
       polygon_.push_back(*next);
     }
     add_polygon();
-    if (mesh_.corners.size() > most_triangles) {
+    if (mesh_.corners.size() > max_triangles) {
       refuse("more than 10 million triangles", "use a coarser mesh");
       while (lines_.next()) {
       }
@@ -221,7 +221,7 @@ class MeshReader {
     const std::string name = lines_.rest();
     const auto file = resolve_file(path_, name, Containment::scene_folder, here(), *faults_);
     if (!file) return;
-    const auto text = read_file(*file, most_mtl_bytes, here(), *faults_, digests_);
+    const auto text = read_file(*file, max_mtl_bytes, here(), *faults_, digests_);
     if (!text) return;
     const auto shown = std::make_shared<const std::string>((path_.parent_path() / name).string());
     for (Table& table : read_mtl(*text, shown, *faults_)) {
@@ -237,7 +237,7 @@ class MeshReader {
 
   void check_indices_ahead() {
     for (const Ahead& one : ahead_) {
-      if (faults_->size() - before_ >= most_faults) return;
+      if (faults_->size() - before_ >= max_faults) return;
       if (missing(one.corner.position, mesh_.positions.size()) ||
           missing(one.corner.uv, mesh_.uvs.size()) ||
           missing(one.corner.normal, mesh_.normals.size())) {
@@ -337,7 +337,7 @@ class MeshReader {
 
 MeshFile read_mesh(const std::filesystem::path& file, const Location& asked_at, Faults& faults,
                    Digests* digests) {
-  const auto text = read_file(file, most_bytes, asked_at, faults, digests);
+  const auto text = read_file(file, max_bytes, asked_at, faults, digests);
   if (!text) return {};
   try {
     return MeshReader(*text, file, faults, digests).read();

@@ -13,7 +13,7 @@
 namespace portalens {
 
 /// Of a mesh, and of all the meshes of a scene together; some 4 GiB with the accelerator.
-inline constexpr std::size_t most_triangles = 10'000'000;
+inline constexpr std::size_t max_triangles = 10'000'000;
 
 /// `triangles.material_of` indexes `materials`, which are tables of kind "material" in our own keys
 /// (diffuse, reflective, roughness, emitted); both are empty if the file names no material.

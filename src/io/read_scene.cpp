@@ -13,8 +13,8 @@
 namespace portalens {
 namespace {
 
-constexpr std::uint64_t most_toml = std::uint64_t{1} << 20;
-constexpr std::uint64_t most_obj = std::uint64_t{1} << 30;  // an ordinary mesh may be its own scene
+constexpr std::uint64_t max_toml = std::uint64_t{1} << 20;
+constexpr std::uint64_t max_obj = std::uint64_t{1} << 30;  // an ordinary mesh may be its own scene
 
 /// Every section has its name and place, also where the file leaves it out.
 Scene empty_scene(const std::filesystem::path& file, const Location& whole) {
@@ -45,7 +45,7 @@ Scene read_scene(const std::filesystem::path& file) {
                "a scene's name ends in .toml or .obj");
     faults.raise();
   }
-  const auto text = read_file(file, suffix == ".toml" ? most_toml : most_obj, whole, faults);
+  const auto text = read_file(file, suffix == ".toml" ? max_toml : max_obj, whole, faults);
   if (text && text->empty()) faults.add(whole, "the file is empty", "describe a scene in it");
   faults.raise();
   if (suffix == ".toml") {

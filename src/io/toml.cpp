@@ -17,8 +17,8 @@
 namespace portalens {
 namespace {
 
-constexpr int most_brackets = 32;
-constexpr int most_dots = 16;
+constexpr int max_brackets = 32;
+constexpr int max_dots = 16;
 
 using File = std::shared_ptr<const std::string>;
 
@@ -162,9 +162,9 @@ class Sorter {
     std::stable_sort(placed_.begin(), placed_.end(), [](const Placed& a, const Placed& b) {
       return std::tie(a.where.line, a.column) < std::tie(b.where.line, b.column);
     });
-    if (placed_.size() > most_objects) {
-      faults_->add(placed_[most_objects].where,
-                   "more than " + std::to_string(most_objects) + " objects", "put them in a mesh");
+    if (placed_.size() > max_objects) {
+      faults_->add(placed_[max_objects].where,
+                   "more than " + std::to_string(max_objects) + " objects", "put them in a mesh");
       return;
     }
     for (Placed& placed : placed_) scene_->objects.push_back(std::move(placed.table));
@@ -179,21 +179,21 @@ class Sorter {
 /// False, and faults, if the parser must not see the text.
 bool fit_to_parse(std::string_view text, const File& file, Faults& faults) {
   const TomlDepth depth = toml_depth(text);
-  if (depth.brackets > most_brackets) {
+  if (depth.brackets > max_brackets) {
     faults.add({file, depth.brackets_line},
                "lists inside lists, " + std::to_string(depth.brackets) + " deep",
-               "at most " + std::to_string(most_brackets) + " are read");
+               "at most " + std::to_string(max_brackets) + " are read");
   }
-  if (depth.dots > most_dots) {
+  if (depth.dots > max_dots) {
     faults.add({file, depth.dots_line}, "a key of " + std::to_string(depth.dots) + " dots",
-               "at most " + std::to_string(most_dots) + " are read");
+               "at most " + std::to_string(max_dots) + " are read");
   }
   const int broken_line = line_not_utf8(text);
   if (broken_line > 0) {
     faults.add({file, broken_line}, "this is not TOML: it has bytes that are not UTF-8",
                "save it as UTF-8");
   }
-  return depth.brackets <= most_brackets && depth.dots <= most_dots && broken_line == 0;
+  return depth.brackets <= max_brackets && depth.dots <= max_dots && broken_line == 0;
 }
 
 }  // namespace

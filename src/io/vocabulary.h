@@ -12,7 +12,7 @@
 namespace portalens {
 
 /// More would be slow as objects of their own: they belong in a mesh.
-inline constexpr std::size_t most_objects = 100000;
+inline constexpr std::size_t max_objects = 100000;
 
 /// The scene's `[name]`, or null.
 [[nodiscard]] Table* find_section(Scene& scene, std::string_view name);

@@ -1,5 +1,5 @@
 /// \file
-/// The way of one photon, from its start to its fate: equations.md, sec. 1 and 6.
+/// The path of one photon, from its start to its fate: equations.md, sec. 1 and 6.
 #pragma once
 
 #include <cmath>
@@ -9,13 +9,13 @@
 
 #include "gravity/field.h"
 #include "gravity/influence.h"
+#include "lanes/engine.h"
 #include "photon/change_finder.h"
 #include "photon/curve.h"
-#include "photon/engine.h"
 #include "photon/horizons.h"
 #include "photon/last_pull.h"
 #include "photon/obstacles.h"
-#include "photon/travel.h"
+#include "photon/ray_state.h"
 #include "photon/vicinity.h"
 
 namespace portalens {
@@ -36,18 +36,18 @@ class Tracer {
         obstacles_(space.surfaces, space.portals),
         gates_(middle_of_portals(space)) {}
 
-  [[nodiscard]] Arrival advance(const Photon& photon, Journey* journey) {
-    follow(photon, journey);
-    const Arrival found = travel_.arrived();
+  [[nodiscard]] Arrival advance(const Photon& photon, PathTrace* path_trace) {
+    follow(photon, path_trace);
+    const Arrival found = ray_state_.arrived();
     if constexpr (!I::fixed_step)
-      if (has_drifted()) return advance_finer(photon, journey, found);
+      if (has_drifted()) return advance_finer(photon, path_trace, found);
     return found;
   }
 
   /// A photon that drifts too far in steps of the scene's tolerance: near capture, and where it is
-  /// led through portals many times, a way magnifies every error made on it.
+  /// led through portals many times, a path magnifies every error made on it.
   /// @param coarse  what it is without; nothing where coarse steps were no use elsewhere
-  [[nodiscard]] Arrival advance_finer(const Photon& photon, Journey* journey,
+  [[nodiscard]] Arrival advance_finer(const Photon& photon, PathTrace* path_trace,
                                       std::optional<Arrival> coarse) {
     const Physics& physics = space_.physics;
     const I usual = integrator_;
@@ -55,9 +55,9 @@ class Tracer {
       if (!coarse && share > 1e-2) continue;
       tolerance_ = share * physics.tolerance;
       integrator_ = I::from({physics.step, tolerance_});
-      follow(photon, journey);
-      if (coarse && travel_.arrival.steps >= physics.max_steps) break;
-      coarse = travel_.arrived();
+      follow(photon, path_trace);
+      if (coarse && ray_state_.arrival.steps >= physics.max_steps) break;
+      coarse = ray_state_.arrived();
       if (!has_drifted() || tolerance_ < finest) break;
     }
     tolerance_ = physics.tolerance;
@@ -65,24 +65,25 @@ class Tracer {
     return *coarse;
   }
 
-  /// Takes up a way that was begun elsewhere.
-  void resume(const Travel& way) {
-    travel_ = way;
+  /// Takes up a path that was begun elsewhere.
+  void resume(const RayState& way) {
+    ray_state_ = way;
     free_length_ = 0.0;
     longest_ = unbounded;
     restless_ = true;
   }
-  [[nodiscard]] const Travel& way() const { return travel_; }
+  [[nodiscard]] const RayState& way() const { return ray_state_; }
   /// Nothing is met within this much path from where it is.
   [[nodiscard]] double free_length() const { return free_length_; }
 
   /// One flight or step; whether the photon has arrived.
   bool one_step() {
-    Arrival& arrival = travel_.arrival;
-    if (!is_finite(travel_.state.position) || !is_finite(travel_.state.direction))
+    Arrival& arrival = ray_state_.arrival;
+    if (!is_finite(ray_state_.state.position) || !is_finite(ray_state_.state.direction))
       return end(Fate::lost);
-    vicinity_.cover(travel_.state.position, 0.0);
-    if (const auto mass = horizon_around(space_.masses, vicinity_.near(), travel_.state.position))
+    vicinity_.cover(ray_state_.state.position, 0.0);
+    if (const auto mass =
+            horizon_around(space_.masses, vicinity_.near(), ray_state_.state.position))
       return absorb(*mass);
     if (gives_up()) return true;
     ++arrival.steps;
@@ -92,26 +93,27 @@ class Tracer {
       vicinity_.cover(anchor, 0.0);
       field_.surround(anchor, vicinity_.near(), surroundings_);
       if (surroundings_.silent()) return fly();
-      bending_ = field_.bending(travel_.state.position, travel_.state.direction, surroundings_);
+      bending_ =
+          field_.bending(ray_state_.state.position, ray_state_.state.direction, surroundings_);
       restless_ = false;
     }
     if (far_from_all()) return true;
     return step();
   }
 
-  /// Ends a way that has gone too far; whether it has.
+  /// Ends a path that has gone too far; whether it has.
   bool gives_up() {
     const Physics& physics = space_.physics;
-    const Arrival& arrival = travel_.arrival;
+    const Arrival& arrival = ray_state_.arrival;
     if (arrival.turning > physics.max_turning) return end(Fate::trapped);
     if (arrival.steps >= physics.max_steps || arrival.length > physics.max_length)
       return end(Fate::lost);
     return false;
   }
 
-  /// What happens where the way meets something, at the place where it is; whether it ends there.
+  /// What happens where the path meets something, at the place where it is; whether it ends there.
   bool encounter(const Encounter& met) {
-    Arrival& arrival = travel_.arrival;
+    Arrival& arrival = ray_state_.arrival;
     if (met.kind == Encounter::Kind::surface || met.kind == Encounter::Kind::portal_back) {
       arrival.met = met.kind == Encounter::Kind::surface ? Met::surface : Met::portal_back;
       arrival.object = met.object;
@@ -122,57 +124,58 @@ class Tracer {
     ++arrival.crossings;
     const Portal& portal = space_.portals.portals()[met.object];
     arrival.tint = arrival.tint * portal.tint;
-    travel_.state = {portal.through.move(travel_.state.position),
-                     portal.through.rotate(travel_.state.direction)};
-    travel_.start = {
-        space_.leaving_portal(portal.pair, travel_.state.position, travel_.state.direction)};
+    ray_state_.state = {portal.through.move(ray_state_.state.position),
+                        portal.through.rotate(ray_state_.state.direction)};
+    ray_state_.start = {
+        space_.leaving_portal(portal.pair, ray_state_.state.position, ray_state_.state.direction)};
     free_length_ = 0.0;
     longest_ = unbounded;
     restless_ = true;
-    if (journey_) {
-      journey_->crossings.push_back(met.object);
-      journey_->stretches.push_back({travel_.state.position});
+    if (path_trace_) {
+      path_trace_->crossings.push_back(met.object);
+      path_trace_->stretches.push_back({ray_state_.state.position});
     }
     return false;
   }
 
   bool absorb(std::uint32_t mass) {
-    travel_.arrival.met = Met::mass;
-    travel_.arrival.object = mass;
+    ray_state_.arrival.met = Met::mass;
+    ray_state_.arrival.object = mass;
     return end(Fate::absorbed);
   }
 
  private:
-  void follow(const Photon& photon, Journey* journey) {
-    journey_ = journey;
-    if (journey_) *journey_ = Journey();
-    resume(Travel::of(photon));
-    if (journey_) journey_->stretches.back().push_back(travel_.state.position);
+  void follow(const Photon& photon, PathTrace* path_trace) {
+    path_trace_ = path_trace;
+    if (path_trace_) *path_trace_ = PathTrace();
+    resume(RayState::of(photon));
+    if (path_trace_) path_trace_->stretches.back().push_back(ray_state_.state.position);
     while (!one_step()) {
     }
-    if (journey_) journey_->stretches.back().push_back(travel_.state.position);
+    if (path_trace_) path_trace_->stretches.back().push_back(ray_state_.state.position);
   }
 
   [[nodiscard]] bool has_drifted() const {
     const double trusted = trusted_drift * space_.physics.tolerance;
-    return travel_.drift.direction >
-           (travel_.arrival.fate == Fate::absorbed ? std::fmax(trusted, absorbed_drift) : trusted);
+    return ray_state_.drift.direction > (ray_state_.arrival.fate == Fate::absorbed
+                                             ? std::fmax(trusted, absorbed_drift)
+                                             : trusted);
   }
 
   /// A point slightly ahead: what acts there decides what acts over the step.
   [[nodiscard]] Vec3d ahead() const {
-    return travel_.state.position + travel_.state.direction * (1e-9 * space_.extent);
+    return ray_state_.state.position + ray_state_.state.direction * (1e-9 * space_.extent);
   }
 
   /// Straight flight, outside all influence.
   bool fly() {
     longest_ = unbounded;
-    const Ray ray{travel_.state.position, travel_.state.direction};
+    const Ray ray{ray_state_.state.position, ray_state_.state.direction};
     const double resolution = 1e-7 * space_.extent;
     const double near =
         field_.free_flight(ray, resolution, 1e3 * space_.extent + length(ray.origin));
     const double reach = std::isfinite(near) ? onset(ray, near, near + 2.0 * resolution) : near;
-    std::optional<Encounter> met = obstacles_.first(ray, reach, travel_.start);
+    std::optional<Encounter> met = obstacles_.first(ray, reach, ray_state_.start);
     double distance = met ? met->distance : reach;
     std::optional<std::uint32_t> swallowed;
     // Most horizons lie deep within an influence, where the flight ends.
@@ -182,7 +185,7 @@ class Tracer {
       if (at <= distance && std::isfinite(at)) distance = at, swallowed = i;
     }
     if (std::isinf(distance)) return end(Fate::escaped);
-    travel_.drift.pass(distance, 0.0, 0.0);
+    ray_state_.drift.pass(distance, 0.0, 0.0);
     move_on({ray.at(distance), ray.direction}, distance, 0.0);
     if (swallowed) return absorb(*swallowed);
     if (met) return encounter(*met);
@@ -225,10 +228,10 @@ class Tracer {
         curve = try_step(h);
         roughness = roughness_of(h);
       }
-      travel_.drift.pass(h, bending_.gradient, tolerance_ * roughness);
+      ray_state_.drift.pass(h, bending_.gradient, tolerance_ * roughness);
       rough = roughness > I::smooth;
     }
-    // Where a pull has no bound. Nothing is met on a way that is no number.
+    // Where a pull has no bound. Nothing is met on a path that is no number.
     if (!is_finite(end_.position) || !is_finite(end_.direction)) return end(Fate::lost);
     const auto swallowed = first_horizon(space_.masses, vicinity_.near(), curve);
     const double limit = swallowed ? swallowed->distance : std::numeric_limits<double>::infinity();
@@ -242,7 +245,7 @@ class Tracer {
       const bool again = rough && met->distance < h;
       if (again) (void)try_step(met->distance);
       arrive_at(curve, met->distance);
-      if (again) travel_.state.direction = end_.direction;
+      if (again) ray_state_.state.direction = end_.direction;
       return encounter(*met);
     }
     move_on(end_, h, curve.turning(h));
@@ -269,7 +272,7 @@ class Tracer {
       h = std::fmin(h, longest_);
     }
     // The path may bend out of its length by a little, its polynomial by some more.
-    vicinity_.cover(travel_.state.position, 1.5 * std::fmin(h, longest));
+    vicinity_.cover(ray_state_.state.position, 1.5 * std::fmin(h, longest));
     if constexpr (!I::fixed_step) h = std::fmin(h, straight_exit());
     return std::fmin(std::fmax(h, shortest()), longest);
   }
@@ -280,7 +283,7 @@ class Tracer {
   /// The distance along the path's parabola to the nearest boundary of an influence, if it is near.
   [[nodiscard]] double straight_exit() const {
     double least = std::numeric_limits<double>::infinity();
-    const Ray ray{travel_.state.position, travel_.state.direction};
+    const Ray ray{ray_state_.state.position, ray_state_.state.direction};
     const Vec3d bend = turning_part(bending_.acceleration, ray.direction);
     for (const std::uint32_t i : vicinity_.near()) {
       const Mass& mass = space_.masses[i];
@@ -304,20 +307,20 @@ class Tracer {
 
   [[nodiscard]] Curve try_step(double h) {
     const auto acceleration = [this](Vec3d x) {
-      return field_.bending(x, travel_.state.direction, surroundings_).acceleration;
+      return field_.bending(x, ray_state_.state.direction, surroundings_).acceleration;
     };
     const StepResult<double> result =
-        I::step(acceleration, travel_.state, bending_.acceleration, h);
+        I::step(acceleration, ray_state_.state, bending_.acceleration, h);
     end_ = result.end;
     doubt_ = result.doubt;
     if constexpr (I::straight_pieces) {
-      const double turned = angle(travel_.state.direction, end_.direction);
+      const double turned = angle(ray_state_.state.direction, end_.direction);
       extra_turning_ = turned;
-      return Curve(travel_.state.position, end_.direction, h);
+      return Curve(ray_state_.state.position, end_.direction, h);
     } else {
       end_bending_ = field_.bending(end_.position, end_.direction, surroundings_);
-      return Curve(travel_.state.position, travel_.state.direction,
-                   turning_part(bending_.acceleration, travel_.state.direction), end_.position,
+      return Curve(ray_state_.state.position, ray_state_.state.direction,
+                   turning_part(bending_.acceleration, ray_state_.state.direction), end_.position,
                    end_.direction, turning_part(end_bending_.acceleration, end_.direction),
                    result.middle_bend, h);
     }
@@ -329,41 +332,42 @@ class Tracer {
 
   [[nodiscard]] std::optional<Encounter> obstacle_on(const Curve& curve) {
     const double h = curve.length();
-    if (free_length_ < h) free_length_ = obstacles_.clearance(travel_.state.position, 8.0 * h);
+    if (free_length_ < h) free_length_ = obstacles_.clearance(ray_state_.state.position, 8.0 * h);
     if (free_length_ >= h) return std::nullopt;
-    const double flatness = 0.5 * tolerance_ * (travel_.arrival.length + h);
+    const double flatness = 0.5 * tolerance_ * (ray_state_.arrival.length + h);
     const double free = std::exchange(free_length_, 0.0);
-    return obstacles_.first(curve, free, flatness, travel_.start);
+    return obstacles_.first(curve, free, flatness, ray_state_.start);
   }
 
-  /// Outside everything but infinite influences, on a straight way that meets nothing, with less
+  /// Outside everything but infinite influences, on a straight path that meets nothing, with less
   /// turning to come than the tolerance: what is to come is added (to first order in m/d, so the
   /// error is a share m/d of it), and the photon has escaped.
   [[nodiscard]] bool far_from_all() {
     if (!space_.unbounded) return false;
     const auto rest =
-        last_pull(space_, travel_.state, surroundings_, bending_.acceleration, gates_);
+        last_pull(space_, ray_state_.state, surroundings_, bending_.acceleration, gates_);
     if (!rest || rest->turning > tolerance_ || rest->turning * rest->closeness > 0.02 * tolerance_)
       return false;
-    const Ray ray{travel_.state.position, travel_.state.direction};
+    const Ray ray{ray_state_.state.position, ray_state_.state.direction};
     const double reach = field_.free_flight(ray, 1e-7 * space_.extent, 1e3 * space_.extent);
     if (reach > 0.0 && std::isfinite(reach)) return false;
-    if (obstacles_.first(ray, std::numeric_limits<double>::infinity(), travel_.start)) return false;
-    travel_.state.direction = normalize(travel_.state.direction + rest->kick);
-    travel_.arrival.turning += rest->turning;
+    if (obstacles_.first(ray, std::numeric_limits<double>::infinity(), ray_state_.start))
+      return false;
+    ray_state_.state.direction = normalize(ray_state_.state.direction + rest->kick);
+    ray_state_.arrival.turning += rest->turning;
     return end(Fate::escaped);
   }
 
   /// Goes on to the end of a step or a flight.
   void move_on(State to, double distance, double turned) {
-    travel_.state = to;
+    ray_state_.state = to;
     free_length_ = std::fmax(0.0, free_length_ - distance);
-    travel_.arrival.length += distance;
-    travel_.arrival.turning += turned + extra_turning_;
+    ray_state_.arrival.length += distance;
+    ray_state_.arrival.turning += turned + extra_turning_;
     extra_turning_ = 0.0;
-    travel_.start = travel_.start.after(distance);
+    ray_state_.start = ray_state_.start.after(distance);
     restless_ = true;
-    if (journey_) journey_->stretches.back().push_back(travel_.state.position);
+    if (path_trace_) path_trace_->stretches.back().push_back(ray_state_.state.position);
   }
 
   void arrive_at(const Curve& curve, double s) {
@@ -371,7 +375,7 @@ class Tracer {
   }
 
   bool end(Fate fate) {
-    travel_.arrival.fate = fate;
+    ray_state_.arrival.fate = fate;
     return true;
   }
 
@@ -388,7 +392,7 @@ class Tracer {
   Obstacles obstacles_;
   Vec3d gates_;  ///< the middle of all portals
 
-  Travel travel_;
+  RayState ray_state_;
   State end_;
   Bending bending_, end_bending_;
   StepDoubt<double> doubt_;     ///< of the step that was tried last
@@ -397,7 +401,7 @@ class Tracer {
   double extra_turning_ = 0.0;  ///< of a step with straight pieces: it turns at its start
   bool restless_ = true;        ///< the surroundings have to be looked at again
   bool changed_ = false;        ///< the step ends where they change
-  Journey* journey_ = nullptr;
+  PathTrace* path_trace_ = nullptr;
 };
 
 }  // namespace portalens

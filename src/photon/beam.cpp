@@ -12,12 +12,12 @@
 namespace portalens {
 namespace {
 
-/// The beam is taken wider than the four trails are from its middle.
+/// The beam is taken wider than the four path records are from its middle.
 constexpr float widening = 1.1f;
 /// How often a piece of a beam is halved that comes near an obstacle.
-constexpr int most_halvings = 5;
-/// How far off a border may still be felt, in radii of the beam: as far as the guides lie that the
-/// light between the trails is told by.
+constexpr int max_halvings = 5;
+/// How far off a border may still be felt, in radii of the beam: as far as the probe rays lie that
+/// the light between the path records is told by.
 constexpr double border_reach = 3.0;
 /// Where light turns by fewer tolerances more than light that stays out, a border is smooth enough:
 /// a polynomial through its neighbours errs by a twentieth of that.
@@ -45,10 +45,10 @@ bool beside_plane(const Quad& quad, Vec3d a, Vec3d b, double distance) {
 
 }  // namespace
 
-/// Goes along a way beside another.
+/// Goes along a path beside another.
 class BeamGuard::Follower {
  public:
-  explicit Follower(const Trail& trail) : points_(trail.points()) {}
+  explicit Follower(const PathRecord& record) : points_(record.points()) {}
 
   /// To where a stretch begins.
   void enter(std::int32_t stretch) {
@@ -82,7 +82,7 @@ class BeamGuard::Follower {
 
 bool BeamGuard::can_guard(const Space& space) {
   return space.surfaces.shapes().size() + space.portals.portals().size() + space.masses.size() <=
-         most_obstacles;
+         max_obstacles;
 }
 
 std::optional<BeamGuard> BeamGuard::over(const Space& space) {
@@ -134,13 +134,13 @@ void BeamGuard::add(const Shape* shape, Vec3d center, double radius, Met kind,
   obstacles_.push_back({shape, center, radius, near_center, near_radius, kind, index, place});
 }
 
-/// The light between four trails, piece by piece.
+/// The light between four path records, piece by piece.
 class BeamGuard::Beam {
  public:
   /// @pre as `clear` has it
-  explicit Beam(const std::array<const Trail*, 4>& trails);
+  explicit Beam(const std::array<const PathRecord*, 4>& records);
 
-  [[nodiscard]] std::span<const Piece> pieces() const { return std::span(pieces_).first(count_); }
+  [[nodiscard]] std::span<const Partial> pieces() const { return std::span(pieces_).first(count_); }
 
  private:
   void add(Reached from, Reached to, float turning, float from_radius, float to_radius,
@@ -148,12 +148,13 @@ class BeamGuard::Beam {
   void mark_ends();
 
   std::size_t count_ = 0;
-  std::array<Piece, Trail::most_points> pieces_;
+  std::array<Partial, PathRecord::max_points> pieces_;
 };
 
-BeamGuard::Beam::Beam(const std::array<const Trail*, 4>& trails) {
-  std::array<Follower, 3> others{Follower(*trails[1]), Follower(*trails[2]), Follower(*trails[3])};
-  const auto points = trails[0]->points();
+BeamGuard::Beam::Beam(const std::array<const PathRecord*, 4>& records) {
+  std::array<Follower, 3> others{Follower(*records[1]), Follower(*records[2]),
+                                 Follower(*records[3])};
+  const auto points = records[0]->points();
   Reached from{};
   float before = 0.0f;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -189,23 +190,23 @@ BeamGuard::Beam::Beam(const std::array<const Trail*, 4>& trails) {
 
 void BeamGuard::Beam::add(Reached from, Reached to, float turning, float from_radius,
                           float to_radius, const Waypoint& point, bool last) {
-  Piece& piece = pieces_[count_++];
+  Partial& piece = pieces_[count_++];
   const float length = to[3] - from[3];
   const float rounding = 2e-6f * (std::fabs(to[0]) + std::fabs(to[1]) + std::fabs(to[2]));
-  // Twice as far as a way can be from the straight one between two of its points.
+  // Twice as far as a path can be from the straight one between two of its points.
   const float aside = 0.5f * length * turning + rounding;
   piece.from = from;
   piece.to = to;
   piece.from_radius = from_radius + aside;
   piece.to_radius = to_radius + aside;
-  // The way is no shorter than the straight one.
+  // The path is no shorter than the straight one.
   piece.reach = 0.5f * length + rounding + piece.radius();
   piece.stretch = point.stretch;
   piece.last = last;
 }
 
-/// What a stretch begins or ends at, its beam touches there: on as much of the way as the places
-/// lie apart where the four ways come from it, or meet it.
+/// What a stretch begins or ends at, its beam touches there: on as much of the path as the places
+/// lie apart where the four paths come from it, or meet it.
 void BeamGuard::Beam::mark_ends() {
   for (std::size_t i = 0; i < count_;) {
     std::size_t end = i;
@@ -219,12 +220,12 @@ void BeamGuard::Beam::mark_ends() {
   }
 }
 
-/// On a plane the ways arrive from as far as they come slanting to it, if they have sunk for as
+/// On a plane the paths arrive from as far as they come slanting to it, if they have sunk for as
 /// long: who skims over it first may meet it there.
-bool BeamGuard::sinks(const Obstacle& obstacle, const Piece& piece, const Piece& final) {
+bool BeamGuard::sinks(const Obstacle& obstacle, const Partial& piece, const Partial& final) {
   const auto* quad = obstacle.shape ? std::get_if<Quad>(obstacle.shape) : nullptr;
   if (!quad) return false;
-  const auto slope = [&](const Piece& part) {
+  const auto slope = [&](const Partial& part) {
     const Vec3d along = place_of(part.to - part.from);
     return dot(along, quad->normal()) / length(along);
   };
@@ -233,33 +234,33 @@ bool BeamGuard::sinks(const Obstacle& obstacle, const Piece& piece, const Piece&
          slope(piece) * arriving >= 0.5 * arriving * arriving;
 }
 
-bool BeamGuard::met(const Obstacle& obstacle, const Piece& piece, const Piece& final,
-                    const Trail& trail, const Arrival& end) const {
-  const bool last = piece.stretch == trail.crossings();
+bool BeamGuard::met(const Obstacle& obstacle, const Partial& piece, const Partial& final,
+                    const PathRecord& record, const Arrival& end) const {
+  const bool last = piece.stretch == record.crossings();
   if (obstacle.kind != Met::portal_back)
     return last && end.met == obstacle.kind && end.object == obstacle.index &&
            (piece.arrives || sinks(obstacle, piece, final));
   const auto portals = space_->portals.portals();
-  return (piece.arrives && !last && trail.portal_after(piece.stretch) == obstacle.index) ||
+  return (piece.arrives && !last && record.portal_after(piece.stretch) == obstacle.index) ||
          (piece.leaves && piece.stretch > 0 &&
-          portals[trail.portal_after(piece.stretch - 1)].pair == obstacle.index);
+          portals[record.portal_after(piece.stretch - 1)].pair == obstacle.index);
 }
 
-bool BeamGuard::hidden(const Obstacle& obstacle, const Piece& piece, const Trail& trail,
+bool BeamGuard::hidden(const Obstacle& obstacle, const Partial& piece, const PathRecord& record,
                        const Arrival& end) const {
   if (!obstacle.place) return false;
   const FlushFaces& flush = space_->surfaces.flush();
   const auto shape_count = static_cast<std::uint32_t>(space_->surfaces.shapes().size());
   const std::uint32_t plane = obstacle.place->plane;
   if (piece.leaves && piece.stretch > 0) {
-    const std::uint32_t entered = trail.portal_after(piece.stretch - 1);
+    const std::uint32_t entered = record.portal_after(piece.stretch - 1);
     if (space_->portals.plane_of(space_->portals.portals()[entered].pair).plane == plane)
       return true;
   }
   if (!piece.arrives) return false;
   FaceId met{no_object, 0};
-  if (piece.stretch < trail.crossings())
-    met = {shape_count + trail.portal_after(piece.stretch), 0};
+  if (piece.stretch < record.crossings())
+    met = {shape_count + record.portal_after(piece.stretch), 0};
   else if (end.met == Met::surface)
     met = {end.object, end.face};
   else if (end.met == Met::portal_back)
@@ -271,14 +272,14 @@ bool BeamGuard::hidden(const Obstacle& obstacle, const Piece& piece, const Trail
 }
 
 /// Whether the obstacle can't be touched, as their balls tell.
-bool BeamGuard::apart(const Piece& piece, const Obstacle& obstacle) {
+bool BeamGuard::apart(const Partial& piece, const Obstacle& obstacle) {
   const Reached between = (piece.from + piece.to) * 0.5f - obstacle.near_center;
   const float reach = piece.reach + obstacle.near_radius;
   return square_of_place(between) > reach * reach;
 }
 
 /// Halves the piece where it comes near.
-bool BeamGuard::touches(const Piece& piece, const Obstacle& obstacle) {
+bool BeamGuard::touches(const Partial& piece, const Obstacle& obstacle) {
   const auto* quad = obstacle.shape ? std::get_if<Quad>(obstacle.shape) : nullptr;
   const auto near = [&](const auto& self, Vec3d from, Vec3d to, double from_radius,
                         double to_radius, int halvings) -> bool {
@@ -298,16 +299,16 @@ bool BeamGuard::touches(const Piece& piece, const Obstacle& obstacle) {
            self(self, middle, to, middle_radius, to_radius, halvings - 1);
   };
   return near(near, place_of(piece.from), place_of(piece.to), piece.from_radius, piece.to_radius,
-              most_halvings);
+              max_halvings);
 }
 
-bool BeamGuard::along_border(std::span<const Piece> beam, bool escapes) const {
+bool BeamGuard::along_border(std::span<const Partial> beam, bool escapes) const {
   for (std::size_t begin = 0; begin < beam.size();) {
     std::size_t end = begin;
     while (!beam[end++].last) continue;
     const auto stretch = beam.subspan(begin, end - begin);
     float widest = 0.0f;
-    for (const Piece& piece : stretch) widest = std::max(widest, piece.radius());
+    for (const Partial& piece : stretch) widest = std::max(widest, piece.radius());
     const bool runs_off = escapes && end == beam.size();
     for (const Mass& mass : space_->masses)
       if (is_felt(mass, widest) && along_sphere(stretch, mass, widest, runs_off)) return true;
@@ -317,7 +318,7 @@ bool BeamGuard::along_border(std::span<const Piece> beam, bool escapes) const {
 }
 
 /// Whether it could be felt that light enters an influence, or does not, no further from its border
-/// than the guides of a beam of that radius lie.
+/// than the probe rays of a beam of that radius lie.
 bool BeamGuard::is_felt(const Mass& mass, double widest) const {
   const double radius = mass.influence;
   if (std::isinf(radius) || mass.gm == 0.0) return false;
@@ -330,7 +331,7 @@ bool BeamGuard::is_felt(const Mass& mass, double widest) const {
 
 /// Whether the border of an influence might be entered by some of the light, and not by all; or
 /// the light begins or ends beside it, so that some has been within for a while.
-bool BeamGuard::along_sphere(std::span<const Piece> stretch, const Mass& mass, double widest,
+bool BeamGuard::along_sphere(std::span<const Partial> stretch, const Mass& mass, double widest,
                              bool runs_off) {
   const double radius = mass.influence;
   const auto distance_to = [&](Reached place) { return length(place_of(place) - mass.center); };
@@ -343,7 +344,7 @@ bool BeamGuard::along_sphere(std::span<const Piece> stretch, const Mass& mass, d
   // Mostly it begins far within.
   if (begins < radius - border_reach * widest) return false;
   double least = std::numeric_limits<double>::infinity(), wide = 0.0;
-  for (const Piece& piece : stretch) {
+  for (const Partial& piece : stretch) {
     const double reach = least + piece.reach;
     const Vec3d middle = place_of((piece.from + piece.to) * 0.5f) - mass.center;
     if (dot(middle, middle) >= reach * reach) continue;
@@ -354,14 +355,14 @@ bool BeamGuard::along_sphere(std::span<const Piece> stretch, const Mass& mass, d
   return beside(least, wide);
 }
 
-bool BeamGuard::clear(const std::array<const Trail*, 4>& trails, const Arrival& end) const {
-  const Beam beam(trails);
-  const std::span<const Piece> pieces = beam.pieces();
+bool BeamGuard::clear(const std::array<const PathRecord*, 4>& records, const Arrival& end) const {
+  const Beam beam(records);
+  const std::span<const Partial> pieces = beam.pieces();
   if (along_border(pieces, end.fate == Fate::escaped)) return false;
   for (const Obstacle& obstacle : obstacles_)
-    for (const Piece& piece : pieces)
-      if (!apart(piece, obstacle) && !met(obstacle, piece, pieces.back(), *trails[0], end) &&
-          !hidden(obstacle, piece, *trails[0], end) && touches(piece, obstacle))
+    for (const Partial& piece : pieces)
+      if (!apart(piece, obstacle) && !met(obstacle, piece, pieces.back(), *records[0], end) &&
+          !hidden(obstacle, piece, *records[0], end) && touches(piece, obstacle))
         return false;
   return true;
 }

@@ -12,33 +12,35 @@
 #include <vector>
 
 #include "geometry/shape.h"
+#include "photon/path_record.h"
 #include "photon/photon.h"
 #include "photon/space.h"
-#include "photon/trail.h"
 
 namespace portalens {
 
-/// A place, and how long the way to it is.
+/// A place, and how long the path to it is.
 using Reached = float __attribute__((vector_size(16)));
 
-/// Looks for whatever could change the way of the light between four photons: surfaces, portals and
-/// horizons that the four did not meet where they are, however small, and borders of the masses'
-/// influences that run along between them. Immutable, safe from any thread; borrows the space.
+/// Looks for whatever could change the path of the light between four photons: surfaces, portals
+/// and horizons that the four did not meet where they are, however small, and borders of the
+/// masses' influences that run along between them. Immutable, safe from any thread; borrows the
+/// space.
 class BeamGuard {
  public:
   /// More would take longer than the photons that are saved.
-  static constexpr std::size_t most_obstacles = 256;
+  static constexpr std::size_t max_obstacles = 256;
   /// Whether there is not too much to look through for every beam.
   [[nodiscard]] static bool can_guard(const Space& space);
   /// Null where it can't.
   [[nodiscard]] static std::optional<BeamGuard> over(const Space& space);
   BeamGuard(BeamGuard&&) = default;
 
-  /// True only if the beam between the four trails meets nothing but what they met. What they met
-  /// themselves is the caller's to compare.
-  /// @pre the trails are known, and entered the same portals
+  /// True only if the beam between the four path records meets nothing but what they met. What they
+  /// met themselves is the caller's to compare.
+  /// @pre the path records are known, and entered the same portals
   /// @param end  how one of them ended
-  [[nodiscard]] bool clear(const std::array<const Trail*, 4>& trails, const Arrival& end) const;
+  [[nodiscard]] bool clear(const std::array<const PathRecord*, 4>& records,
+                           const Arrival& end) const;
 
  private:
   /// Something that light can meet, within a ball.
@@ -55,7 +57,7 @@ class BeamGuard {
   };
   /// A piece of the beam: everything within `from_radius` at its start, growing evenly to
   /// `to_radius` at its end. Without values: many of them lie side by side.
-  struct Piece {
+  struct Partial {
     Reached from, to;
     float from_radius, to_radius;
     float reach;  ///< from its middle: radius of the ball that holds it
@@ -73,20 +75,21 @@ class BeamGuard {
 
   void add(const Shape* shape, const Box& box, Met kind, std::uint32_t index);
   void add(const Shape* shape, Vec3d center, double radius, Met kind, std::uint32_t index);
-  [[nodiscard]] static bool sinks(const Obstacle& obstacle, const Piece& piece, const Piece& final);
+  [[nodiscard]] static bool sinks(const Obstacle& obstacle, const Partial& piece,
+                                  const Partial& final);
   /// @param final  the last piece of the beam
-  [[nodiscard]] bool met(const Obstacle& obstacle, const Piece& piece, const Piece& final,
-                         const Trail& trail, const Arrival& end) const;
-  /// Whether it is flat and lies under what the way has met there, in one plane with it, or in the
-  /// plane that the way has just left.
-  [[nodiscard]] bool hidden(const Obstacle& obstacle, const Piece& piece, const Trail& trail,
-                            const Arrival& end) const;
-  [[nodiscard]] static bool apart(const Piece& piece, const Obstacle& obstacle);
-  [[nodiscard]] static bool touches(const Piece& piece, const Obstacle& obstacle);
+  [[nodiscard]] bool met(const Obstacle& obstacle, const Partial& piece, const Partial& final,
+                         const PathRecord& record, const Arrival& end) const;
+  /// Whether it is flat and lies under what the path has met there, in one plane with it, or in the
+  /// plane that the path has just left.
+  [[nodiscard]] bool hidden(const Obstacle& obstacle, const Partial& piece,
+                            const PathRecord& record, const Arrival& end) const;
+  [[nodiscard]] static bool apart(const Partial& piece, const Obstacle& obstacle);
+  [[nodiscard]] static bool touches(const Partial& piece, const Obstacle& obstacle);
   /// @param escapes  whether it runs off to the sky in the end
-  [[nodiscard]] bool along_border(std::span<const Piece> beam, bool escapes) const;
+  [[nodiscard]] bool along_border(std::span<const Partial> beam, bool escapes) const;
   [[nodiscard]] bool is_felt(const Mass& mass, double widest) const;
-  [[nodiscard]] static bool along_sphere(std::span<const Piece> stretch, const Mass& mass,
+  [[nodiscard]] static bool along_sphere(std::span<const Partial> stretch, const Mass& mass,
                                          double widest, bool runs_off);
 
   const Space* space_;

@@ -60,7 +60,8 @@ class ChangeFinder {
       if (was) ++next;
       if (was != Field<C>::within(space_.masses[i], x)) return true;
     }
-    return (std::isfinite(surroundings_.quiet)) && field_.signature(x) != surroundings_.signature;
+    return (std::isfinite(surroundings_.distance_to_support)) &&
+           field_.signature(x) != surroundings_.signature;
   }
 
   /// Arc length in the middle of an influence that the curve only grazes before `end`, or `end`.
@@ -81,19 +82,19 @@ class ChangeFinder {
     return grazed_coupling(curve, first, margin);
   }
 
-  /// The same for the coupling, before `end`: as its boundaries are at least `calm` away, the next
-  /// place to look is.
+  /// The same for the coupling, before `end`: as its boundaries are at least
+  /// `distance_to_discontinuity` away, the next place to look is.
   [[nodiscard]] double grazed_coupling(const Curve& curve, double end, double margin) const {
-    if (std::isinf(surroundings_.quiet)) return end;
+    if (std::isinf(surroundings_.distance_to_support)) return end;
     double least = std::fmax(margin, 1e-3 * curve.length());
     double s = 0.0;
     while (true) {
-      const double calm = field_.calm(curve.position(s));
-      s += std::fmax(calm, least);
+      const double distance_to_discontinuity = field_.distance_to_discontinuity(curve.position(s));
+      s += std::fmax(distance_to_discontinuity, least);
       if (s >= end) return end;
       if (differs(curve.position(s))) return s;
       // A path along a boundary would be looked at a thousand times.
-      if (calm < least) least *= 1.1;
+      if (distance_to_discontinuity < least) least *= 1.1;
     }
   }
 

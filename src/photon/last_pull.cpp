@@ -7,10 +7,10 @@
 namespace portalens {
 namespace {
 
-/// What the pull of portals does from here to infinity, on a straight way; nothing if that can't
+/// What the pull of portals does from here to infinity, on a straight path; nothing if that can't
 /// be told to a small share of the tolerance.
 ///
-/// All of it points to the portals, and falls off with the square of the length of ways that lead
+/// All of it points to the portals, and falls off with the square of the length of paths that lead
 /// through them, which are longer than the distance r by less than `size`. So each part does
 /// r/(1 + outward) times what of it turns, as that of a mass would, with an error of a share
 /// size/r; and no part turns by more than a share size/r of itself.
@@ -44,13 +44,13 @@ std::optional<LastPull> last_pull(const Space& space, const State& state,
     const double gm = gravitational_radius(mass.gm, space.physics.c);
     through -= attraction(to_mass, gm, mass.core * mass.core);
     if (b == 0.0) continue;
-    // ∫ m b / (b² + s²)^(3/2) ds from here to infinity on the straight way = (m/b) (1 - outward).
+    // ∫ m b / (b² + s²)^(3/2) ds from here to infinity on the straight path = (m/b) (1 - outward).
     const double turning = gm / d * (b / d) / (1.0 + outward);
     rest.turning += turning;
     rest.closeness += gm / d;
     rest.kick += across * (turning / b);
   }
-  if (surroundings.quiet == 0.0) {
+  if (surroundings.distance_to_support == 0.0) {
     const std::optional<Vec3d> kick = kick_through_portals(space, state, through, gates);
     if (!kick) return std::nullopt;
     rest.turning += length(*kick);

@@ -16,8 +16,8 @@ struct LastPull {
   Vec3d kick;              ///< what it adds to the direction
 };
 
-/// From here to infinity on a straight way, to first order in m/d. Nothing where that can't be
-/// told: within a finite influence, on a way that does not lead outwards, or too near to portals.
+/// From here to infinity on a straight path, to first order in m/d. Nothing where that can't be
+/// told: within a finite influence, on a path that does not lead outwards, or too near to portals.
 /// @param surroundings  at the photon's place, and `acceleration` the pull there over c²
 /// @param gates         the middle of all portals
 [[nodiscard]] std::optional<LastPull> last_pull(const Space& space, const State& state,

@@ -7,12 +7,12 @@ namespace portalens {
 std::optional<Encounter> Obstacles::first(const Ray& ray, double high,
                                           const PathStart& start) const {
   std::optional<Encounter> found;
-  const LeftPlane left = surfaces_.flush().left_by(start.departure);
+  const LeftPlane left = surfaces_.flush().left_by(start.guard);
   if (const auto portal = portals_.nearest(ray, 0.0, high, left)) {
     found = at_portal(portal->portal, portal->side, portal->distance);
     high = portal->distance;
   }
-  const auto hit = surfaces_.nearest(ray, 0.0, high, start.departure);
+  const auto hit = surfaces_.nearest(ray, 0.0, high, start.guard);
   // At a tie the portal comes first.
   if (!hit || (found && found->distance <= hit->distance)) return found;
   return uppermost(*hit, ray);
@@ -47,11 +47,11 @@ std::optional<Encounter> Obstacles::first(const Curve& curve, double free, doubl
                                           const PathStart& start) const {
   // A little less than that far: something may lie there.
   const double from = 0.99 * free, end = curve.length();
-  return in_piece(curve, {from, end, curve.position(from), curve.position(end)}, flatness, start);
+  return in_partial(curve, {from, end, curve.position(from), curve.position(end)}, flatness, start);
 }
 
-std::optional<Encounter> Obstacles::in_piece(const Curve& curve, const Piece& piece,
-                                             double flatness, const PathStart& start) const {
+std::optional<Encounter> Obstacles::in_partial(const Curve& curve, const Partial& piece,
+                                               double flatness, const PathStart& start) const {
   const double sagitta = curve.sagitta(piece.s1 - piece.s0);
   const Segment chord{piece.x0, piece.x1};
   const Vec3d along = piece.x1 - piece.x0;
@@ -86,13 +86,13 @@ std::optional<Encounter> Obstacles::in_piece(const Curve& curve, const Piece& pi
 
   const double middle = 0.5 * (piece.s0 + piece.s1);
   const Vec3d x = curve.position(middle);
-  if (const auto found = in_piece(curve, {piece.s0, middle, piece.x0, x}, flatness, start))
+  if (const auto found = in_partial(curve, {piece.s0, middle, piece.x0, x}, flatness, start))
     return found;
-  return in_piece(curve, {middle, piece.s1, x, piece.x1}, flatness, start);
+  return in_partial(curve, {middle, piece.s1, x, piece.x1}, flatness, start);
 }
 
 /// Newton's method: the tangent of the curve, met with the surface, gives the next guess.
-std::optional<Encounter> Obstacles::refine(const Curve& curve, const Piece& piece,
+std::optional<Encounter> Obstacles::refine(const Curve& curve, const Partial& piece,
                                            Encounter found) const {
   const double span = piece.s1 - piece.s0;
   const double chord = length(piece.x1 - piece.x0);

@@ -23,13 +23,13 @@ struct Encounter {
 
 /// Where a path began, and what it may not meet at once.
 struct PathStart {
-  Departure departure;  ///< `reach` counted from the start of the curve
+  SelfIntersectionGuard guard;  ///< `reach` counted from the start of the curve
 
   /// The same for the rest of the path, after `length` of it.
   [[nodiscard]] PathStart after(double length) const {
     PathStart rest = *this;
-    rest.departure.reach -= length;
-    if (rest.departure.reach <= 0.0) rest.departure = Departure{};
+    rest.guard.reach -= length;
+    if (rest.guard.reach <= 0.0) rest.guard = SelfIntersectionGuard{};
     return rest;
   }
 };
@@ -47,7 +47,7 @@ class Obstacles {
   [[nodiscard]] std::optional<Encounter> first(const Curve& curve, double free, double flatness,
                                                const PathStart& start) const;
 
-  /// The first encounter on a straight way; `high` may be infinite.
+  /// The first encounter on a straight path; `high` may be infinite.
   [[nodiscard]] std::optional<Encounter> first(const Ray& ray, double high,
                                                const PathStart& start) const;
 
@@ -65,13 +65,13 @@ class Obstacles {
   }
 
  private:
-  struct Piece {
+  struct Partial {
     double s0, s1;
     Vec3d x0, x1;
   };
-  [[nodiscard]] std::optional<Encounter> in_piece(const Curve& curve, const Piece& piece,
-                                                  double flatness, const PathStart& start) const;
-  [[nodiscard]] std::optional<Encounter> refine(const Curve& curve, const Piece& piece,
+  [[nodiscard]] std::optional<Encounter> in_partial(const Curve& curve, const Partial& piece,
+                                                    double flatness, const PathStart& start) const;
+  [[nodiscard]] std::optional<Encounter> refine(const Curve& curve, const Partial& piece,
                                                 Encounter found) const;
 
   const Accelerator& surfaces_;

@@ -25,7 +25,7 @@ struct Photon {
   std::uint32_t slot = 0;    ///< its place among the photons of its wave
   std::uint32_t bounces = 0;
   std::uint64_t random_key = 0;  ///< (pixel, sample, place in the tree)
-  Departure departure;           ///< the surface it starts on, if any
+  SelfIntersectionGuard guard;   ///< the surface it starts on, if any
 };
 
 enum class Met : std::uint8_t { nothing, surface, portal_back, mass };

@@ -112,15 +112,15 @@ struct Bends {
 
 /// A step of x'' = a(x) - (a·x') x' through four places. Where they are follows from the values
 /// before them; the direction at each is then found again from all four, which needs no further
-/// evaluation of the field. On a nearly straight way that leaves the error of the quadrature, of
-/// seventh order; what a way's own bend feeds back into it is of fourth. The length
+/// evaluation of the field. On a nearly straight path that leaves the error of the quadrature, of
+/// seventh order; what a path's own bend feeds back into it is of fourth. The length
 ///     h = (Σ w m d⁻⁵ / η⁴ + Σ v d⁻⁴ / λ⁴)^(-1/4)
 /// at distances d from masses is proposed, for it spreads the error evenly over the path;
 /// `roughness` then judges the step, and one that errs by too much is taken again, shorter. η⁴ is a
 /// multiple of the tolerance: the first sum keeps what is fed back below it. The second keeps a
 /// step shorter than λ times the distance, since how well a quadrature follows the field depends on
 /// h/d alone; so λ goes as the seventh root of the tolerance. Near capture a path magnifies every
-/// error made on the way: hence the weight w, `path_weight`. What is left behind soon weighs
+/// error made on the path: hence the weight w, `path_weight`. What is left behind soon weighs
 /// little: hence v, `approach_weight`.
 struct Radau {
   static constexpr std::string_view name = "adaptive";
@@ -174,7 +174,7 @@ struct Radau {
   /// How rough a step is: it errs by its share of the tolerance where that is 1, and by as much
   /// more as the power 7/6 says. Of two parts: how well the quadrature follows the field is told by
   /// the last coefficient of the polynomial through its four values, which falls with h³ where the
-  /// field is smooth; what the way's own bend feeds back, by what was foreseen of the last node.
+  /// field is smooth; what the path's own bend feeds back, by what was foreseen of the last node.
   /// @param pull2     square of the length of the acceleration at the start, 1/length²
   /// @param gradient  of the acceleration, 1/length²
   template <class Real>
@@ -185,7 +185,7 @@ struct Radau {
     const Real fed_back = sqrt(multiply_add(doubt.missed2 * gradient, gradient,
                                             Real(direction_share2) * doubt.turned2 * pull2)) *
                           h;
-    // m/d, about: near a strong mass a path magnifies every error made on the way.
+    // m/d, about: near a strong mass a path magnifies every error made on the path.
     const Real strength = min(Real(2) * pull2 / max(gradient, Real(1e-30)), Real(2));
     const Real square = strength * strength;
     const Real severity = multiply_add(multiply_add(Real(40), square, Real(10)), square, Real(1));

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "photon/lane_plan.h"
+#include "lanes/plan.h"
 
 namespace portalens {
 namespace {
@@ -49,12 +49,13 @@ Space::Space(Physics the_physics, std::uint32_t crossings, std::vector<Shape> sh
   no_lanes_because = std::move(choice.refusal);
 }
 
-Departure Space::leaving_portal(std::uint32_t index, Vec3d position, Vec3d direction) const {
+SelfIntersectionGuard Space::leaving_portal(std::uint32_t index, Vec3d position,
+                                            Vec3d direction) const {
   const Portal& portal = portals.portals()[index];
   const double slope = dot(direction, portal.frame.normal);
   const auto shape_count = static_cast<std::uint32_t>(surfaces.shapes().size());
   return {shape_count + index, 0, slope < 0.0 ? -1.0 : 1.0,
-          departure_reach(length(position) + portal.longest_edge, slope)};
+          guard_reach(length(position) + portal.longest_edge, slope)};
 }
 
 Space::Space(Space&&) noexcept = default;

@@ -28,8 +28,8 @@ struct Space {
   ~Space();
 
   /// How a path leaves the plane of a portal, over its front or its back as `direction` says.
-  [[nodiscard]] Departure leaving_portal(std::uint32_t portal, Vec3d position,
-                                         Vec3d direction) const;
+  [[nodiscard]] SelfIntersectionGuard leaving_portal(std::uint32_t portal, Vec3d position,
+                                                     Vec3d direction) const;
 
   Physics physics;
   std::uint32_t max_crossings;

@@ -20,13 +20,13 @@ Vec3d unit(Vec3d a) {
   return std::fabs(square - 1.0) < 1e-5 ? a * (1.5 - 0.5 * square) : a * inverse_sqrt(square);
 }
 
-/// How much the square of what a way turns counts beside that of where it leads: it is told, but
+/// How much the square of what a path turns counts beside that of where it leads: it is told, but
 /// moves no light.
 constexpr float turning_counts = 1.0f / 4.0f;
 
 /// The largest third difference of directions, in tolerances: beside where influences begin, as
 /// beside a square root's zero, a fortieth of it is what the polynomial errs by.
-constexpr double most_in_tolerances = 400.0;
+constexpr double max_in_tolerances = 400.0;
 
 /// How much rougher what is absorbed may be.
 constexpr double absorbed_may_differ = 8.0;
@@ -63,38 +63,39 @@ bool Bicubic::can_tell(const Space& space, const Arrival& arrival) {
   return std::holds_alternative<Quad>(shape) || std::holds_alternative<Sphere>(shape);
 }
 
-double Bicubic::through(const Space& space, const Guides& guides, const PixelSpan& pixel,
+double Bicubic::through(const Space& space, const ProbeRays& probe_rays, const PixelSpan& pixel,
                         double most, double given_up) {
-  const Arrival& model = *guides[1][1];
+  const Arrival& model = *probe_rays[1][1];
   model_ = model;
   model_.steps = model_.handed_over = 0;
   const bool flat = model.fate == Fate::hit;
   sphere_ = flat ? std::get_if<Sphere>(&space.surfaces.shapes()[model.object]) : nullptr;
   std::array<Values, 16> values;
   for (std::size_t n = 0; n < 16; ++n) {
-    const Arrival& guide = *guides[n / 4][n % 4];
-    values[n].turn = four<Four>(guide.direction - model.direction, guide.turning - model.turning);
+    const Arrival& probe_ray = *probe_rays[n / 4][n % 4];
+    values[n].turn =
+        four<Four>(probe_ray.direction - model.direction, probe_ray.turning - model.turning);
   }
   const auto square = [](Four v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; };
   const double turned = std::sqrt(largest_third(
       [&](std::size_t n) { return values[n].turn; },
       [&](Four third) { return square(third) + turning_counts * third[3] * third[3]; }));
-  const double most_turn = std::min(most * (pixel.angle + pixel.aside / space.extent),
-                                    most_in_tolerances * space.physics.tolerance);
-  double roughness = turned / most_turn;
+  const double max_turn = std::min(most * (pixel.angle + pixel.aside / space.extent),
+                                   max_in_tolerances * space.physics.tolerance);
+  double roughness = turned / max_turn;
   // Nothing is told of those but that they are absorbed; light may pass where they differ much.
   if (model.fate == Fate::absorbed) return roughness / absorbed_may_differ;
   if (!(roughness <= given_up)) return roughness;
   float reach = 0.0f;
   for (std::size_t n = 0; n < 16; ++n) {
-    const Arrival& guide = *guides[n / 4][n % 4];
-    const Vec3d aside = guide.position - model.position;
+    const Arrival& probe_ray = *probe_rays[n / 4][n % 4];
+    const Vec3d aside = probe_ray.position - model.position;
     if (flat) {
-      const double weight = model.length / guide.length;
+      const double weight = model.length / probe_ray.length;
       reach = std::max(reach, in_float(dot(aside, aside)));
       values[n].place = four<Four>(aside * weight, weight - 1.0);
     } else {
-      values[n].place = four<Four>(aside, guide.length - model.length);
+      values[n].place = four<Four>(aside, probe_ray.length - model.length);
     }
   }
   if (flat) {

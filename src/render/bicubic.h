@@ -15,7 +15,7 @@ struct PixelSpan {
   double aside = 0.0;  ///< of their places
 };
 
-/// A step from node to node of a lattice.
+/// A step from node to node of a sampling grid.
 struct NodeStep {
   int right = 0, down = 0;
 
@@ -25,32 +25,33 @@ struct NodeStep {
 /// The polynomial of the third degree each way through what sixteen photons found, four each way.
 class Bicubic {
  public:
-  using Guides = std::array<std::array<const Arrival*, 4>, 4>;
+  using ProbeRays = std::array<std::array<const Arrival*, 4>, 4>;
   class Row;
 
   /// Whether such an arrival can be told by its neighbours.
   [[nodiscard]] static bool can_tell(const Space& space, const Arrival& arrival);
 
-  /// @param aside  from the cell whose photons it tells of to the one between its inner four guides
+  /// @param aside  from the cell whose photons it tells of to the one between its inner four probe
+  /// rays
   explicit Bicubic(NodeStep aside) : aside_(aside) {}
 
-  /// Puts the polynomial through the guides, if it may be used: if their third differences are no
-  /// larger than those of a function that is such a polynomial but for hundredths of a pixel.
+  /// Puts the polynomial through the probe rays, if it may be used: if their third differences are
+  /// no larger than those of a function that is such a polynomial but for hundredths of a pixel.
   /// @param most  third difference, pixels; of directions also no more than the tolerance allows
   /// @return the largest one, as a multiple of `most`; beyond `given_up` some that is not smaller
-  /// @pre the guides met the same, and `can_tell` says so of them
-  double through(const Space& space, const Guides& guides, const PixelSpan& pixel, double most,
-                 double given_up);
+  /// @pre the probe rays met the same, and `can_tell` says so of them
+  double through(const Space& space, const ProbeRays& probe_rays, const PixelSpan& pixel,
+                 double most, double given_up);
 
  private:
   using Four = float __attribute__((vector_size(16)));
   /// What is interpolated, relative to the model, so that floats are enough.
   struct Values {
     /// On a surface, the place in homogeneous coordinates, which over a plane are linear where
-    /// light is straight: the last is the inverse of the way's length. In the sky the place and the
-    /// length.
+    /// light is straight: the last is the inverse of the path's length. In the sky the place and
+    /// the length.
     Four place;
-    Four turn;  ///< the direction, and how much the way turned
+    Four turn;  ///< the direction, and how much the path turned
 
     friend Values operator+(const Values& a, const Values& b) {
       return {a.place + b.place, a.turn + b.turn};
@@ -68,7 +69,7 @@ class Bicubic {
   [[nodiscard]] static Values value(const Cubic& cubic, float at);
 
   NodeStep aside_;
-  Arrival model_;                   ///< one of the guides
+  Arrival model_;                   ///< one of the probe rays
   const Sphere* sphere_ = nullptr;  ///< that it is on
   /// By the share of the cell from the left, and their coefficients by that from above.
   std::array<Cubic, 4> cubics_;
@@ -84,7 +85,7 @@ class Bicubic::Row {
 
  private:
   const Bicubic& cell_;
-  float right_;  ///< how far the guides lie aside
+  float right_;  ///< how far the probe rays lie aside
   Cubic cubic_;
 };
 

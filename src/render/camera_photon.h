@@ -44,7 +44,7 @@ class PhotonSource {
   /// Puts photons on the rays of those places.
   /// @pre as many of both
   void send(std::span<const FilmPlace> places, std::span<Photon> photons) const {
-    std::array<Ray, FilmCamera::most_rays> rays;
+    std::array<Ray, FilmCamera::max_rays> rays;
     for (std::size_t begin = 0; begin < places.size(); begin += rays.size()) {
       const auto some = places.subspan(begin, std::min(rays.size(), places.size() - begin));
       view_.rays(some, rays);

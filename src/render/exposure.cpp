@@ -15,7 +15,7 @@ float as_float(double value) {
 
 }  // namespace
 
-Plate::Plate(const Assignment& assignment)
+Framebuffer::Framebuffer(const Assignment& assignment)
     : window_(assignment.window),
       samples_(assignment.range.count()),
       image_(window_.width(), window_.height(), 3),
@@ -24,13 +24,13 @@ Plate::Plate(const Assignment& assignment)
       sums_(nodes_ * window_.pixels()),
       layers_(channels_ * window_.pixels()) {}
 
-void Plate::set(int x, int y, const SampleSum& sum) {
+void Framebuffer::set(int x, int y, const SampleSum& sum) {
   const Rgb mean = sum.total() / samples_;
   set(x, y, std::span(&mean, 1));
   if (nodes_ > 0) set_sums(x, y, sum.nodes());
 }
 
-void Plate::set(int x, int y, std::span<const Rgb> samples) {
+void Framebuffer::set(int x, int y, std::span<const Rgb> samples) {
   float* pixel = image_.at(x - window_.x0, y - window_.y0);
   for (const Rgb& sample : samples) {
     pixel[0] = as_float(sample.x), pixel[1] = as_float(sample.y), pixel[2] = as_float(sample.z);
@@ -38,29 +38,29 @@ void Plate::set(int x, int y, std::span<const Rgb> samples) {
   }
 }
 
-void Plate::restore(int x, int y, std::span<const float> mean, std::span<const Rgb> sums) {
+void Framebuffer::restore(int x, int y, std::span<const float> mean, std::span<const Rgb> sums) {
   std::copy(mean.begin(), mean.end(), image_.at(x - window_.x0, y - window_.y0));
   set_sums(x, y, sums);
 }
 
-void Plate::set_sums(int x, int y, std::span<const Rgb> sums) {
+void Framebuffer::set_sums(int x, int y, std::span<const Rgb> sums) {
   std::copy(sums.begin(), sums.end(),
             sums_.begin() + static_cast<std::ptrdiff_t>(nodes_ * index(x, y)));
 }
 
-std::span<const float> Plate::means(int x, int y, std::size_t pixels) const {
+std::span<const float> Framebuffer::means(int x, int y, std::size_t pixels) const {
   return {image_.at(x - window_.x0, y - window_.y0), 3 * pixels};
 }
 
-std::span<const Rgb> Plate::sums(int x, int y) const {
+std::span<const Rgb> Framebuffer::sums(int x, int y) const {
   return {sums_.data() + nodes_ * index(x, y), nodes_};
 }
 
-std::span<float> Plate::layers(int x, int y) {
+std::span<float> Framebuffer::layers(int x, int y) {
   return {layers_.data() + channels_ * index(x, y), channels_};
 }
 
-std::span<const float> Plate::layers(int x, int y) const {
+std::span<const float> Framebuffer::layers(int x, int y) const {
   return {layers_.data() + channels_ * index(x, y), channels_};
 }
 
@@ -70,7 +70,7 @@ void keep_first(std::vector<PixelSample>& samples) {
     return a.x == b.x && a.y == b.y;
   };
   samples.erase(std::unique(samples.begin(), samples.end(), same_pixel), samples.end());
-  if (samples.size() > most_lost) samples.resize(most_lost);
+  if (samples.size() > max_lost) samples.resize(max_lost);
 }
 
 TileWork::TileWork(const Assignment& assignment, const Window& its_tile)
@@ -96,14 +96,14 @@ std::pair<int, int> TileWork::pixel(std::uint64_t number) const {
 Exposure::Exposure(Assignment assignment)
     : assignment_(std::move(assignment)),
       tiles_(assignment_.window, assignment_.tile_size),
-      plate_(assignment_) {
+      framebuffer_(assignment_) {
   account_.complete.resize(tiles_.count());
 }
 
-Exposure::Exposure(Assignment assignment, Account account, Plate plate)
+Exposure::Exposure(Assignment assignment, Account account, Framebuffer framebuffer)
     : assignment_(std::move(assignment)),
       tiles_(assignment_.window, assignment_.tile_size),
-      plate_(std::move(plate)),
+      framebuffer_(std::move(framebuffer)),
       account_(std::move(account)) {}
 
 Account Exposure::account() const {

@@ -1,6 +1,6 @@
 /// \file
-/// A picture under way: the plate, and the account of what stands on it. Whoever looks at it sees
-/// pixels that are complete, while others still are being taken.
+/// A picture under way: the framebuffer, and the account of what stands on it. Whoever looks at it
+/// sees pixels that are complete, while others still are being taken.
 #pragma once
 
 #include <chrono>
@@ -22,9 +22,9 @@ namespace portalens {
 
 /// What has reached each pixel of a window. Different pixels may be set by different threads; only
 /// one that was set may be read.
-class Plate {
+class Framebuffer {
  public:
-  explicit Plate(const Assignment& assignment);
+  explicit Framebuffer(const Assignment& assignment);
 
   /// The pixel's samples, all those of the range.
   /// @pre (x, y) lies in the window
@@ -79,7 +79,7 @@ struct Account {
 };
 
 /// How many pixels with lost photons are remembered.
-inline constexpr std::size_t most_lost = 8;
+inline constexpr std::size_t max_lost = 8;
 
 /// Sorts the samples, and leaves the first of each of the first few pixels.
 void keep_first(std::vector<PixelSample>& samples);
@@ -116,22 +116,23 @@ class Exposure {
   /// Of which nothing stands yet.
   explicit Exposure(Assignment assignment);
   /// That goes on from what stands.
-  Exposure(Assignment assignment, Account account, Plate plate);
+  Exposure(Assignment assignment, Account account, Framebuffer framebuffer);
 
   [[nodiscard]] const Assignment& assignment() const { return assignment_; }
   [[nodiscard]] const Tiling& tiles() const { return tiles_; }
   [[nodiscard]] TileWork work_on(std::size_t tile) const { return {assignment_, tiles_[tile]}; }
 
-  /// A copy, with the time until now. What it says is done may be read from the plate from then on.
+  /// A copy, with the time until now. What it says is done may be read from the framebuffer from
+  /// then on.
   [[nodiscard]] Account account() const;
-  [[nodiscard]] const Plate& plate() const { return plate_; }
+  [[nodiscard]] const Framebuffer& framebuffer() const { return framebuffer_; }
   /// Whether nothing is left to do.
   [[nodiscard]] bool complete() const;
   /// How much of the work is done, from 0 to 1.
   [[nodiscard]] double share_done() const;
 
   /// For whoever takes a tile: the only one at that time.
-  [[nodiscard]] Plate& plate() { return plate_; }
+  [[nodiscard]] Framebuffer& framebuffer() { return framebuffer_; }
   [[nodiscard]] TileProgress progress(std::size_t tile) const;
   /// Notes how far a tile is now, and what that took since the last time.
   /// @return what stands then
@@ -143,7 +144,7 @@ class Exposure {
 
   Assignment assignment_;
   Tiling tiles_;
-  Plate plate_;
+  Framebuffer framebuffer_;
   mutable std::mutex guard_;
   Account account_;
   Clock::time_point start_ = Clock::now();

@@ -6,14 +6,14 @@
 #include <map>
 
 #include "io/digest.h"
-#include "photon/lane_engines.h"
+#include "lanes/instruction_sets.h"
 #include "render/source_digest.h"
 
 namespace portalens {
 namespace {
 
 /// Names of objects, materials and lights that are written out one by one, at most.
-constexpr std::size_t most_entries = 2000;
+constexpr std::size_t max_entries = 2000;
 
 std::string value_text(const Value& value) {
   struct Text {
@@ -59,7 +59,7 @@ void add_objects(const Scene& scene, Fingerprint& fingerprint) {
       order += name + '\n';
       add_table(name, table, all);
     }
-  if (all.size() > most_entries) {
+  if (all.size() > max_entries) {
     std::string text;
     for (const auto& [name, value] : all) text += name + '\n' + value + '\n';
     all = {{"the objects", digest(text)}};
@@ -68,7 +68,7 @@ void add_objects(const Scene& scene, Fingerprint& fingerprint) {
   fingerprint.emplace_back("the order of the objects", digest(order));
 }
 
-/// The widest instructions that the processor has: what libraries choose their ways by.
+/// The widest instructions that the processor has: what libraries choose their paths by.
 std::string processor_kind() {
   for (const char* name : {"avx512", "avx2", "sse4"})
     if (lane_engine(name).step) return name;

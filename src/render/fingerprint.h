@@ -1,6 +1,6 @@
 /// \file
-/// What decides a picture's bits, in words: two pieces of work belong to the same picture if they
-/// have the same fingerprint, and where they differ it says in what.
+/// What decides a picture's bits, in words: two partial pictures of work belong to the same picture
+/// if they have the same fingerprint, and where they differ it says in what.
 #pragma once
 
 #include <string>

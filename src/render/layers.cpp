@@ -14,14 +14,14 @@ double angle_between(Vec3d a, Vec3d b) { return std::atan2(length(cross(a, b)), 
 
 /// Whole half turns about `center`, counted anew in each stretch: where nothing bends there are
 /// none, however many portals are crossed.
-double half_turns(Vec3d center, const Arrival& arrival, const Journey& journey) {
+double half_turns(Vec3d center, const Arrival& arrival, const PathTrace& path_trace) {
   double turns = 0.0;
-  for (std::size_t s = 0; s < journey.stretches.size(); ++s) {
-    const std::vector<Vec3d>& stretch = journey.stretches[s];
+  for (std::size_t s = 0; s < path_trace.stretches.size(); ++s) {
+    const std::vector<Vec3d>& stretch = path_trace.stretches[s];
     double angle = 0.0;
     for (std::size_t i = 1; i < stretch.size(); ++i)
       angle += angle_between(stretch[i - 1] - center, stretch[i] - center);
-    if (s + 1 == journey.stretches.size() && arrival.fate == Fate::escaped)
+    if (s + 1 == path_trace.stretches.size() && arrival.fate == Fate::escaped)
       angle += angle_between(arrival.position - center, arrival.direction);
     turns += std::floor(angle / std::numbers::pi);
   }
@@ -48,7 +48,7 @@ std::vector<float> three(Vec3d v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
-std::vector<float> raw_values(const Sight& sight, Layer layer) {
+std::vector<float> raw_values(const FirstHit& sight, Layer layer) {
   switch (layer) {
     case Layer::depth:
       return {static_cast<float>(sight.depth)};
@@ -97,7 +97,7 @@ std::vector<std::string> channel_names(Layer layer) {
   return {std::string(layer_names[static_cast<std::size_t>(layer)]) + ".X"};
 }
 
-std::vector<float> channel_values(const Sight& sight, Layer layer) {
+std::vector<float> channel_values(const FirstHit& sight, Layer layer) {
   std::vector<float> values = raw_values(sight, layer);
   for (float& value : values)
     if (!std::isfinite(value)) value = 0.0f;
@@ -105,15 +105,15 @@ std::vector<float> channel_values(const Sight& sight, Layer layer) {
 }
 
 std::uint32_t image_order(std::span<const Mass> masses, const Arrival& arrival,
-                          const Journey& journey) {
+                          const PathTrace& path_trace) {
   double most = 0.0;
   for (const Mass& mass : masses)
-    if (mass.gm > 0.0) most = std::max(most, half_turns(mass.center, arrival, journey));
+    if (mass.gm > 0.0) most = std::max(most, half_turns(mass.center, arrival, path_trace));
   return std::isfinite(most) ? static_cast<std::uint32_t>(most) : 0;
 }
 
-Sight sight_of(const World& world, const Arrival& arrival, const Journey& journey) {
-  Sight sight;
+FirstHit first_hit_of(const World& world, const Arrival& arrival, const PathTrace& path_trace) {
+  FirstHit sight;
   if (arrival.fate == Fate::hit || arrival.fate == Fate::absorbed) sight.depth = arrival.length;
   if (arrival.fate == Fate::hit) {
     const ShadingPoint point = shading_point(world.space, world.appearance, arrival);
@@ -125,7 +125,7 @@ Sight sight_of(const World& world, const Arrival& arrival, const Journey& journe
   sight.steps = arrival.steps;
   sight.turning = arrival.turning;
   sight.crossings = arrival.crossings;
-  sight.order = image_order(world.space.masses, arrival, journey);
+  sight.order = image_order(world.space.masses, arrival, path_trace);
   sight.position = arrival.position;
   return sight;
 }
@@ -146,9 +146,10 @@ std::size_t channel_count(std::span<const Layer> layers) {
 
 void take_layers(const World& world, int x, int y, std::span<const Layer> layers,
                  std::span<float> values) {
-  Journey journey;
-  const Arrival arrival = advance_recorded(world.space, camera_photon(world, {x, y, 0}), journey);
-  const Sight sight = sight_of(world, arrival, journey);
+  PathTrace path_trace;
+  const Arrival arrival =
+      advance_recorded(world.space, camera_photon(world, {x, y, 0}), path_trace);
+  const FirstHit sight = first_hit_of(world, arrival, path_trace);
   std::size_t channel = 0;
   for (const Layer layer : layers)
     for (const float value : channel_values(sight, layer)) values[channel++] = value;

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "photon/engine.h"
+#include "lanes/engine.h"
 #include "world/world.h"
 
 namespace portalens {
@@ -40,7 +40,7 @@ inline constexpr std::array<std::string_view, layer_count> layer_names = {
 inline constexpr double no_depth = 1e10;
 
 /// What the layers tell of one photon, up to its first surface.
-struct Sight {
+struct FirstHit {
   double depth = no_depth;   ///< arc length from the camera to a surface or a horizon
   Vec3d normal;              ///< unit, on the viewer's side; 0 where no surface is hit
   Rgb albedo;                ///< diffuse reflectance there, before any tint; 0 where none
@@ -55,15 +55,16 @@ struct Sight {
 
 /// The channels' values of a layer, in the order of `channel_names`. Numbers that are not finite
 /// become 0.
-[[nodiscard]] std::vector<float> channel_values(const Sight& sight, Layer layer);
+[[nodiscard]] std::vector<float> channel_values(const FirstHit& sight, Layer layer);
 
-[[nodiscard]] Sight sight_of(const World& world, const Arrival& arrival, const Journey& journey);
+[[nodiscard]] FirstHit first_hit_of(const World& world, const Arrival& arrival,
+                                    const PathTrace& path_trace);
 
-/// Whole half turns that the way makes about a mass, at most about any: 0 for a direct image, 1 for
-/// the one seen past its other side, 2 once round, ... Angles at the centre of the mass are summed
-/// along each stretch between portals; a photon that escapes goes on straight.
+/// Whole half turns that the path makes about a mass, at most about any: 0 for a direct image, 1
+/// for the one seen past its other side, 2 once round, ... Angles at the centre of the mass are
+/// summed along each stretch between portals; a photon that escapes goes on straight.
 [[nodiscard]] std::uint32_t image_order(std::span<const Mass> masses, const Arrival& arrival,
-                                        const Journey& journey);
+                                        const PathTrace& path_trace);
 
 /// Surfaces, then portals, then masses, each in the order of the scene.
 [[nodiscard]] std::vector<std::string> object_names(const World& world);

@@ -6,8 +6,8 @@
 #include <map>
 #include <span>
 
+#include "lanes/plan.h"
 #include "photon/beam.h"
-#include "photon/lane_plan.h"
 
 namespace portalens {
 namespace {
@@ -26,7 +26,7 @@ std::string why_all_photons(const RenderOptions& options, bool lanes) {
   if (options.photons == Photons::all) return "it is asked for (--photons all)";
   if (!lanes) return "only lanes know how to send fewer";
   return fmt::format("more than {} surfaces, portals and masses are there to hold beams against",
-                     BeamGuard::most_obstacles);
+                     BeamGuard::max_obstacles);
 }
 
 }  // namespace

@@ -13,7 +13,8 @@ constexpr std::uint64_t bytes_a_triangle = 450;  // with the accelerator, and it
 constexpr std::uint64_t bytes_a_value = 24;      // of a channel of a pixel, while it is encoded
 constexpr std::uint64_t bytes_a_thread = std::uint64_t{16} << 20;
 
-constexpr std::uint64_t bytes_a_tile_pixel = 350;  // of photons, and of the lattice between them
+constexpr std::uint64_t bytes_a_tile_pixel =
+    350;  // of photons, and of the sampling grid between them
 
 std::uint64_t bytes_of(const Image& image) { return image.pixels.size() * sizeof(float); }
 

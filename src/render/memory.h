@@ -15,7 +15,7 @@ struct MemoryEstimate {
   std::uint64_t program = 0;  ///< what the program and its libraries take for a scene of nothing
   std::uint64_t scene = 0;    ///< textures, and meshes with what finds their triangles
   std::uint64_t picture = 0;  ///< the film, its layers, and their copies while they are encoded
-  std::uint64_t photons = 0;  ///< on their ways, in all threads
+  std::uint64_t photons = 0;  ///< on their paths, in all threads
 
   [[nodiscard]] std::uint64_t total() const { return program + scene + picture + photons; }
 };

@@ -12,11 +12,11 @@
 namespace portalens {
 namespace {
 
-using Parts = std::vector<const PieceFile*>;
+using Parts = std::vector<const PartialFile*>;
 
-const Assignment& assigned(const PieceFile* part) { return part->head().assignment; }
+const Assignment& assigned(const PartialFile* part) { return part->head().assignment; }
 
-Location place_of(const PieceFile& part) {
+Location place_of(const PartialFile& part) {
   return {std::make_shared<const std::string>(part.name()), 0};
 }
 
@@ -25,21 +25,21 @@ std::string written(const Window& window) {
   return fmt::format("{} {} {} {}", window.x0, window.y0, window.x1, window.y1);
 }
 
-void check_finished(const PieceFile& part, Faults& faults) {
-  const PieceHead& head = part.head();
+void check_finished(const PartialFile& part, Faults& faults) {
+  const PartialHeader& head = part.head();
   if (head.account.pixels == head.assignment.window.pixels()) return;
   faults.add(place_of(part), "the part is not finished", "go on with it: render ... --resume");
 }
 
 /// Whether the part is one of the same picture as the first.
-void check_same(const PieceFile& first, const PieceFile& part, Faults& faults) {
+void check_same(const PartialFile& first, const PartialFile& part, Faults& faults) {
   const auto tell = [&](const Difference& difference) {
     faults.add(place_of(part),
                fmt::format("{} is {} here, and {} in {}", difference.name,
                            in_quotes(difference.now), in_quotes(difference.before), first.name()),
                "merge parts of the same picture");
   };
-  const PieceHead &a = first.head(), &b = part.head();
+  const PartialHeader &a = first.head(), &b = part.head();
   for (const Difference& one : differences(a.provenance.fingerprint, b.provenance.fingerprint))
     tell(one);
   for (const Difference& one :
@@ -80,12 +80,12 @@ struct Gap {
 
 std::optional<Gap> first_gap(const Parts& parts, const Window& wanted, std::uint32_t samples) {
   std::set<int> rows{wanted.y0};
-  for (const PieceFile* part : parts) rows.insert(assigned(part).window.y1);
+  for (const PartialFile* part : parts) rows.insert(assigned(part).window.y1);
   for (const int y : rows) {
     if (y >= wanted.y1) continue;
     Parts here;
     std::set<int> columns{wanted.x0};
-    for (const PieceFile* part : parts) {
+    for (const PartialFile* part : parts) {
       const Window& window = assigned(part).window;
       if (y < window.y0 || y >= window.y1) continue;
       here.push_back(part);
@@ -95,7 +95,7 @@ std::optional<Gap> first_gap(const Parts& parts, const Window& wanted, std::uint
       if (x >= wanted.x1) continue;
       std::uint32_t next = 0;  // parts come by their first sample
       std::optional<std::uint32_t> upto;
-      for (const PieceFile* part : here) {
+      for (const PartialFile* part : here) {
         const Window& window = assigned(part).window;
         if (x < window.x0 || x >= window.x1) continue;
         if (assigned(part).range.begin > next) {
@@ -111,7 +111,7 @@ std::optional<Gap> first_gap(const Parts& parts, const Window& wanted, std::uint
 }
 
 void check_cover(const Parts& parts, const Window& wanted, Faults& faults) {
-  for (const PieceFile* part : parts)
+  for (const PartialFile* part : parts)
     if (!wanted.holds(assigned(part).window))
       faults.add(place_of(*part),
                  "its pixels " + written(assigned(part).window) + " are not among those wanted, " +
@@ -131,17 +131,17 @@ void for_pixels(const Window& window, const Visit& visit) {
     for (int x = window.x0; x < window.x1; ++x) visit(x, y);
 }
 
-void copy_layers(const Assignment& from, const Plate& source, Plate& plate) {
+void copy_layers(const Assignment& from, const Framebuffer& source, Framebuffer& framebuffer) {
   if (!from.takes_layers()) return;
   for_pixels(from.window, [&](int x, int y) {
     const auto values = source.layers(x, y);
-    std::copy(values.begin(), values.end(), plate.layers(x, y).begin());
+    std::copy(values.begin(), values.end(), framebuffer.layers(x, y).begin());
   });
 }
 
 /// Adds up what was taken in ranges of samples, in the order of the samples.
 void add_ranges(const std::vector<std::unique_ptr<Exposure>>& ranges, const Window& wanted,
-                Plate& plate) {
+                Framebuffer& framebuffer) {
   if (ranges.empty()) return;
   for (int y = wanted.y0; y < wanted.y1; ++y) {
     std::vector<const Exposure*> here;
@@ -155,37 +155,38 @@ void add_ranges(const std::vector<std::unique_ptr<Exposure>>& ranges, const Wind
       for (const Exposure* exposure : here) {
         const Window& window = exposure->assignment().window;
         if (x < window.x0 || x >= window.x1) continue;
-        sum.add(exposure->assignment().range, exposure->plate().sums(x, y));
+        sum.add(exposure->assignment().range, exposure->framebuffer().sums(x, y));
         any = true;
       }
-      if (any) plate.set(x, y, sum);
+      if (any) framebuffer.set(x, y, sum);
     }
   }
 }
 
 /// @pre the parts hold every sample once, and come by their first sample
-Plate merged_plate(const Parts& parts, const Assignment& assignment) {
-  Plate plate(assignment);
+Framebuffer merged_framebuffer(const Parts& parts, const Assignment& assignment) {
+  Framebuffer framebuffer(assignment);
   std::vector<std::unique_ptr<Exposure>> ranges;
-  for (const PieceFile* part : parts) {
+  for (const PartialFile* part : parts) {
     auto exposure = part->exposure();
     const Assignment& from = exposure->assignment();
-    const Plate& source = std::as_const(*exposure).plate();
-    copy_layers(from, source, plate);
+    const Framebuffer& source = std::as_const(*exposure).framebuffer();
+    copy_layers(from, source, framebuffer);
     if (from.whole_pixels())
-      for_pixels(from.window, [&](int x, int y) { plate.restore(x, y, source.mean(x, y), {}); });
+      for_pixels(from.window,
+                 [&](int x, int y) { framebuffer.restore(x, y, source.mean(x, y), {}); });
     else
       ranges.push_back(std::move(exposure));
   }
-  add_ranges(ranges, assignment.window, plate);
-  return plate;
+  add_ranges(ranges, assignment.window, framebuffer);
+  return framebuffer;
 }
 
 Account merged_account(const Parts& parts, const Assignment& assignment) {
   Account account;
   account.complete.assign(Tiling(assignment.window, assignment.tile_size).count(), true);
   account.pixels = assignment.window.pixels();
-  for (const PieceFile* part : parts) {
+  for (const PartialFile* part : parts) {
     const Account& from = part->head().account;
     account.tally += from.tally;
     account.seconds += from.seconds;
@@ -197,22 +198,22 @@ Account merged_account(const Parts& parts, const Assignment& assignment) {
 
 }  // namespace
 
-std::unique_ptr<Exposure> merged(std::span<const PieceFile> parts,
+std::unique_ptr<Exposure> merged(std::span<const PartialFile> parts,
                                  const std::optional<Window>& crop) {
   Parts ordered;
   Faults faults;
-  for (const PieceFile& part : parts) {
+  for (const PartialFile& part : parts) {
     check_finished(part, faults);
     if (&part != &parts.front()) check_same(parts.front(), part, faults);
     ordered.push_back(&part);
   }
   faults.raise();
-  const auto key = [](const PieceFile* part) {
+  const auto key = [](const PartialFile* part) {
     const Assignment& a = assigned(part);
     return std::tuple(a.range.begin, a.range.end, a.window.y0, a.window.x0);
   };
   std::stable_sort(ordered.begin(), ordered.end(),
-                   [&](const PieceFile* a, const PieceFile* b) { return key(a) < key(b); });
+                   [&](const PartialFile* a, const PartialFile* b) { return key(a) < key(b); });
 
   Assignment assignment = assigned(ordered.front());
   assignment.window = crop.value_or(assignment.film);
@@ -222,7 +223,7 @@ std::unique_ptr<Exposure> merged(std::span<const PieceFile> parts,
   check_cover(ordered, assignment.window, faults);
   faults.raise();
   return std::make_unique<Exposure>(assignment, merged_account(ordered, assignment),
-                                    merged_plate(ordered, assignment));
+                                    merged_framebuffer(ordered, assignment));
 }
 
 }  // namespace portalens

@@ -6,7 +6,7 @@
 #include <optional>
 #include <span>
 
-#include "render/piece.h"
+#include "render/partial.h"
 
 namespace portalens {
 
@@ -15,7 +15,7 @@ namespace portalens {
 /// @param crop  the part of the picture that is wanted, instead of the whole
 /// @pre there is at least one part
 /// @throws SceneError with all that hinders
-[[nodiscard]] std::unique_ptr<Exposure> merged(std::span<const PieceFile> parts,
+[[nodiscard]] std::unique_ptr<Exposure> merged(std::span<const PartialFile> parts,
                                                const std::optional<Window>& crop);
 
 }  // namespace portalens

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "photon/beam.h"
-#include "render/lattice.h"
-#include "render/pace.h"
+#include "render/batch_size.h"
 #include "render/parallel.h"
+#include "render/sampling_grid.h"
 #include "render/wave.h"
 
 namespace portalens {
@@ -17,16 +17,17 @@ namespace {
 
 /// Camera photons that travel together at most: many lanes full, and few enough that they stay in
 /// the processor's caches until they are shaded.
-constexpr std::uint64_t most_in_wave = 1024;
+constexpr std::uint64_t max_in_wave = 1024;
 /// Pixels whose layers are taken at once at most.
-constexpr std::uint64_t most_layer_pixels = 4096;
+constexpr std::uint64_t max_layer_pixels = 4096;
 
 /// What one tile at a time is taken in.
 struct TileRoom {
   WaveRoom carried;
-  std::optional<Lattice> lattice;  ///< of the tile that is taken; only where there is a guard
-  std::vector<FilmPlace> places;   ///< of the camera photons
-  std::vector<Photon> photons;     ///< these, and what is left of those of earlier batches
+  std::optional<SamplingGrid>
+      sampling_grid;              ///< of the tile that is taken; only where there is a guard
+  std::vector<FilmPlace> places;  ///< of the camera photons
+  std::vector<Photon> photons;    ///< these, and what is left of those of earlier batches
   std::vector<Rgb> light;
   std::vector<std::uint32_t> lost;
   std::vector<PixelSample> lost_places;
@@ -60,7 +61,7 @@ struct Shared {
   std::optional<BeamGuard> guard;  ///< none: every photon goes its own way
   Progress* progress;
   std::mutex telling{};  ///< held while progress is told: whoever listens may take its time
-  Pace photons{512, most_in_wave}, layer_pixels{16, most_layer_pixels};
+  BatchSize photons{512, max_in_wave}, layer_pixels{16, max_layer_pixels};
   TileRooms rooms{};
 };
 
@@ -80,10 +81,10 @@ class TileTaker {
     done_ = progress.done;
     sum_ = SampleSum(work_.begun(done_, assignment_.range), progress.sums);
     if (!shared.guard) return;
-    if (room_->lattice)
-      room_->lattice->lay_over(work_.tile);
+    if (room_->sampling_grid)
+      room_->sampling_grid->lay_over(work_.tile);
     else
-      room_->lattice.emplace(world_, *shared.guard, work_.tile);
+      room_->sampling_grid.emplace(world_, *shared.guard, work_.tile);
   }
   TileTaker(const TileTaker&) = delete;
   TileTaker& operator=(const TileTaker&) = delete;
@@ -114,14 +115,14 @@ class TileTaker {
     room_->lost_places.clear();
     send_camera_photons(count);
     bool from_camera = true;
-    const auto travel = [&](std::span<const Photon> photons, std::span<Arrival> arrivals) {
-      if (std::exchange(from_camera, false) && room_->lattice)
-        room_->lattice->advance(room_->places, arrivals, tally);
+    const auto ray_state = [&](std::span<const Photon> photons, std::span<Arrival> arrivals) {
+      if (std::exchange(from_camera, false) && room_->sampling_grid)
+        room_->sampling_grid->advance(room_->places, arrivals, tally);
       else
         advance(world_.space, photons, arrivals, shared_.engine);
     };
     carry_light(world_.space, world_.appearance, std::span(room_->photons).first(count),
-                room_->carried, room_->light, travel, tally, &room_->lost);
+                room_->carried, room_->light, ray_state, tally, &room_->lost);
     for (const std::uint32_t i : room_->lost) room_->lost_places.push_back(place(done_ + i));
     keep_first(room_->lost_places);
     expose_samples();
@@ -131,12 +132,12 @@ class TileTaker {
   /// Puts what has reached the samples from `done_` on where it belongs.
   void expose_samples() {
     if (assignment_.samples == 1) return expose_pixels();
-    Plate& plate = shared_.exposure.plate();
+    Framebuffer& framebuffer = shared_.exposure.framebuffer();
     PixelSample at = place(done_);
     for (const Rgb& light : room_->light) {
       sum_.add(light);
       if (at.sample + 1 == assignment_.range.end) {
-        plate.set(at.x, at.y, sum_);
+        framebuffer.set(at.x, at.y, sum_);
         sum_.restart(assignment_.range.begin);
       }
       go_on(at);
@@ -149,7 +150,7 @@ class TileTaker {
     for (std::uint64_t at = done_; !light.empty();) {
       const auto [x, y] = work_.pixel(at);
       const std::size_t count = std::min(light.size(), static_cast<std::size_t>(work_.tile.x1 - x));
-      shared_.exposure.plate().set(x, y, light.first(count));
+      shared_.exposure.framebuffer().set(x, y, light.first(count));
       light = light.subspan(count);
       at += count;
     }
@@ -159,7 +160,7 @@ class TileTaker {
     const std::uint64_t first = work_.layered(done_);
     for (std::uint64_t i = first; i < first + count; ++i) {
       const auto [x, y] = work_.pixel(i);
-      take_layers(world_, x, y, assignment_.layers, shared_.exposure.plate().layers(x, y));
+      take_layers(world_, x, y, assignment_.layers, shared_.exposure.framebuffer().layers(x, y));
     }
     room_->lost_places.clear();
     note(count, {});
@@ -176,7 +177,8 @@ class TileTaker {
     const Standing standing =
         shared_.exposure.note(tile_, std::move(progress), tally, room_->lost_places);
     if (!told) return;
-    shared_.progress->tile_taken(work_.tile, shared_.exposure.plate().image(), assignment_.window);
+    shared_.progress->tile_taken(work_.tile, shared_.exposure.framebuffer().image(),
+                                 assignment_.window);
     shared_.progress->advanced(standing.pixels, assignment_.window.pixels(), standing.tally);
   }
 
@@ -212,7 +214,7 @@ class TileTaker {
       places[i] = source.place(at);
       if (random) photons[i].random_key = source.random_key(at);
     }
-    if (room_->lattice) return;  // it sends few
+    if (room_->sampling_grid) return;  // it sends few
     source.send(places, std::span(photons).first(count));
   }
 
@@ -240,19 +242,19 @@ void copy_tile(const Exposure& exposure, std::size_t tile, std::uint64_t done,
                RenderResult& result) {
   const TileWork work = exposure.work_on(tile);
   const Window& window = result.window;
-  const Plate& plate = exposure.plate();
+  const Framebuffer& framebuffer = exposure.framebuffer();
   const std::uint64_t lit = work.lit(done);
   const auto width = static_cast<std::uint64_t>(work.tile.width());
   for (std::uint64_t first = 0; first < lit; first += width) {
     const auto [x, y] = work.pixel(first);
-    const auto row = plate.means(x, y, std::min(width, lit - first));
+    const auto row = framebuffer.means(x, y, std::min(width, lit - first));
     std::copy(row.begin(), row.end(), result.image.at(x - window.x0, y - window.y0));
   }
   for_first_pixels(work, work.layered(done), [&](int x, int y) {
     const std::size_t at =
         static_cast<std::size_t>(y - window.y0) * static_cast<std::size_t>(window.width()) +
         static_cast<std::size_t>(x - window.x0);
-    const auto values = plate.layers(x, y);
+    const auto values = framebuffer.layers(x, y);
     for (std::size_t c = 0; c < values.size(); ++c) result.layers[c].values[at] = values[c];
   });
 }
@@ -262,8 +264,8 @@ void copy_tile(const Exposure& exposure, std::size_t tile, std::uint64_t done,
 int tile_size_of(const World& world, const RenderOptions& options) {
   if (options.tile_size) return *options.tile_size;
   constexpr int small = 32, large = 64;
-  // A lattice reaches beyond its tile: of small ones more guides are sent twice. Where samples are
-  // many, guides are few beside them.
+  // A sampling grid reaches beyond its tile: of small ones more probe rays are sent twice. Where
+  // samples are many, probe rays are few beside them.
   constexpr std::int64_t few_samples = 4;
   return interpolates(world, options) && world.sampling.samples <= few_samples ? large : small;
 }

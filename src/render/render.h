@@ -10,7 +10,7 @@
 
 #include "core/image.h"
 #include "io/image.h"
-#include "photon/engine.h"
+#include "lanes/engine.h"
 #include "render/exposure.h"
 #include "render/tally.h"
 #include "world/world.h"
@@ -18,7 +18,7 @@
 namespace portalens {
 
 /// Whether every sample has a photon of its own, or what it would find is interpolated where its
-/// neighbours agree (lattice.h). Only lanes know how.
+/// neighbours agree (sampling_grid.h). Only lanes know how.
 enum class Photons : std::uint8_t { fewer, all };
 
 struct RenderOptions {

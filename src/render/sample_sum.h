@@ -90,9 +90,9 @@ class SampleSum {
     levels_[size_++] = level;
   }
 
-  static constexpr std::size_t most_nodes = 64;  // two for each bit of a sample's number
-  std::array<Rgb, most_nodes> sums_;
-  std::array<int, most_nodes> levels_{};
+  static constexpr std::size_t max_nodes = 64;  // two for each bit of a sample's number
+  std::array<Rgb, max_nodes> sums_;
+  std::array<int, max_nodes> levels_{};
   std::size_t size_ = 0;
   std::uint64_t next_;
 };

@@ -12,18 +12,19 @@ namespace portalens {
 
 struct Tally {
   std::uint64_t samples = 0;         ///< photons that began at the camera
-  std::uint64_t photons = 0;         ///< those, and their offspring
-  std::uint64_t shadow_queries = 0;  ///< straight ways to lights
-  std::uint64_t interpolated = 0;    ///< photons that found what their neighbours told (lattice.h)
+  std::uint64_t photons = 0;         ///< those, and their secondary photons
+  std::uint64_t shadow_queries = 0;  ///< straight paths to lights
+  std::uint64_t interpolated =
+      0;  ///< photons that found what their neighbours told (sampling_grid.h)
   /// Neighbours that were sent for it. Tiles that a thread takes one after the other share some.
-  std::uint64_t guides = 0;
+  std::uint64_t probe_rays = 0;
   std::uint64_t steps = 0;        ///< of all photons
   std::uint64_t handed_over = 0;  ///< of these, those that the scalar engine took for the lanes
   std::uint64_t crossings = 0;    ///< of portals, by all photons
   std::uint64_t not_finite = 0;   ///< samples whose light was not a number; shown as lost
   std::array<std::uint64_t, fate_count> fates{};  ///< of all photons, in the order of `Fate`
 
-  /// Seconds of all threads together: photons on their ways (field, surfaces, portals), shading,
+  /// Seconds of all threads together: photons on their paths (field, surfaces, portals), shading,
   /// and shadow queries.
   double advancing = 0.0, shading = 0.0, shadowing = 0.0;
 
@@ -49,7 +50,7 @@ struct Tally {
     photons += other.photons;
     shadow_queries += other.shadow_queries;
     interpolated += other.interpolated;
-    guides += other.guides;
+    probe_rays += other.probe_rays;
     steps += other.steps;
     handed_over += other.handed_over;
     crossings += other.crossings;

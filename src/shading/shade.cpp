@@ -15,7 +15,7 @@ namespace {
 /// What a photon's random key is combined with, so that no number is used twice. Small numbers are
 /// left to whoever makes the photon.
 constexpr std::uint64_t mirror_purpose = std::uint64_t{1} << 32;
-constexpr std::uint64_t offspring_purpose = std::uint64_t{2} << 32;
+constexpr std::uint64_t secondary_purpose = std::uint64_t{2} << 32;
 constexpr std::uint64_t light_purpose = std::uint64_t{3} << 32;  // + index of the light
 
 /// One comparison in place of three.
@@ -34,8 +34,8 @@ struct Strata {
   }
 };
 
-/// Shades arrivals, one at a time. The way that most of them go is inlined as a whole, and what few
-/// ask for is kept out of it, with a copy of the shading point: so this need not lie in memory.
+/// Shades arrivals, one at a time. The path that most of them go is inlined as a whole, and what
+/// few ask for is kept out of it, with a copy of the shading point: so this need not lie in memory.
 class Shader {
  public:
   Shader(const Space& space, const Appearance& appearance, ShadeOutput& output)
@@ -62,10 +62,10 @@ class Shader {
  private:
   void add_light(Rgb radiance) {
     if (is_black(radiance)) return;
-    Gleam& gleam = output_.light.emplace_back();
-    gleam.radiance = radiance;
-    gleam.sample = photon_->sample;
-    gleam.slot = photon_->slot;
+    Contribution& contribution = output_.light.emplace_back();
+    contribution.radiance = radiance;
+    contribution.sample = photon_->sample;
+    contribution.slot = photon_->slot;
   }
 
   void shade_surface() {
@@ -92,16 +92,16 @@ class Shader {
     const auto reflection = reflect(arrival_->direction, point.normal, roughness,
                                     random_number(key, 0), random_number(key, 1));
     if (!reflection || !(dot(reflection->direction, point.outward) > 0.0)) return;
-    Photon offspring;
-    offspring.position = point.position;
-    offspring.direction = reflection->direction;
-    offspring.throughput = share * reflection->weight;
-    offspring.sample = photon_->sample;
-    offspring.slot = photon_->slot;
-    offspring.bounces = photon_->bounces + 1;
-    offspring.random_key = combined(photon_->random_key, offspring_purpose);
-    offspring.departure = point.leaving(reflection->direction);
-    output_.offspring.push_back(offspring);
+    Photon secondary;
+    secondary.position = point.position;
+    secondary.direction = reflection->direction;
+    secondary.throughput = share * reflection->weight;
+    secondary.sample = photon_->sample;
+    secondary.slot = photon_->slot;
+    secondary.bounces = photon_->bounces + 1;
+    secondary.random_key = combined(photon_->random_key, secondary_purpose);
+    secondary.guard = point.leaving(reflection->direction);
+    output_.secondary.push_back(secondary);
   }
 
   [[gnu::always_inline]] void ask_lights(const ShadingPoint& point, Rgb share) {
@@ -145,8 +145,8 @@ class Shader {
     }
   }
 
-  /// Whether the straight way from the point goes through the portal's face: from front to back, or
-  /// either way if it is two-sided. In the plane of the face it leaves nothing is crossed.
+  /// Whether the straight path from the point goes through the portal's face: from front to back,
+  /// or either way if it is two-sided. In the plane of the face it leaves nothing is crossed.
   bool crosses(std::uint32_t portal, const ShadingPoint& point, Vec3d to) const {
     const Portal& crossed = space_.portals.portals()[portal];
     const double distance = length(to - point.position);
@@ -170,7 +170,7 @@ class Shader {
     query.from = point.position;
     query.to = sample.position;
     query.portal = portal;
-    query.departure = point.leaving(sample.position - point.position);
+    query.guard = point.leaving(sample.position - point.position);
     query.contribution = light;
     query.sample = photon_->sample;
     query.slot = photon_->slot;
@@ -203,7 +203,7 @@ bool uses_random_numbers(const Appearance& appearance) {
          std::any_of(appearance.materials.begin(), appearance.materials.end(), mirrors);
 }
 
-std::size_t most_shadow_queries(const Space& space, const Appearance& appearance) {
+std::size_t max_shadow_queries(const Space& space, const Appearance& appearance) {
   std::size_t samples = 0;
   for (const Light& light : appearance.lights)
     samples += sample_count(light, appearance.limits.shadow_samples);

@@ -14,16 +14,16 @@
 namespace portalens {
 
 /// Light that has arrived at a sample of the film.
-struct Gleam {
+struct Contribution {
   Rgb radiance;
   std::uint32_t sample = 0, slot = 0;  ///< of the photon that found it
 };
 
-/// All three in the order of the photons they come from; a photon has at most one gleam and at most
-/// one offspring, whose slot is its parent's.
+/// All three in the order of the photons they come from; a photon has at most one contribution and
+/// at most one secondary photon, whose slot is its parent's.
 struct ShadeOutput {
-  std::vector<Gleam> light;
-  std::vector<Photon> offspring;
+  std::vector<Contribution> light;
+  std::vector<Photon> secondary;
   std::vector<ShadowQuery> shadows;
 };
 
@@ -38,6 +38,6 @@ void shade(const Space& space, const Appearance& appearance, std::span<const Pho
 [[nodiscard]] bool uses_random_numbers(const Appearance& appearance);
 
 /// The most shadow queries that one arrival can lead to, by which a caller can bound its batches.
-[[nodiscard]] std::size_t most_shadow_queries(const Space& space, const Appearance& appearance);
+[[nodiscard]] std::size_t max_shadow_queries(const Space& space, const Appearance& appearance);
 
 }  // namespace portalens

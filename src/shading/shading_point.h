@@ -21,13 +21,13 @@ struct ShadingPoint {
   std::uint32_t shape = no_object;  ///< or a portal, by the number of its opening
   std::uint32_t face = 0;
   double front = 1.0;  ///< 1 where `outward` is the surface's own normal, -1 against it
-  double size = 0.0;   ///< of the place and the scene, for departures
+  double size = 0.0;   ///< of the place and the scene, for self-intersection guards
 
   /// How a ray in `direction`, of any length, leaves this point.
-  [[nodiscard]] Departure leaving(Vec3d direction) const {
+  [[nodiscard]] SelfIntersectionGuard leaving(Vec3d direction) const {
     const double slope = dot(direction, outward);
     return {shape, face, front * slope < 0.0 ? -1.0 : 1.0,
-            departure_reach(size, std::clamp(slope, -1.0, 1.0))};
+            guard_reach(size, std::clamp(slope, -1.0, 1.0))};
   }
 };
 

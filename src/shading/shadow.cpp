@@ -8,7 +8,7 @@
 namespace portalens {
 namespace {
 
-/// The end of the way that is not looked at, relative to coordinates: the light's own surface lies
+/// The end of the path that is not looked at, relative to coordinates: the light's own surface lies
 /// there, found again with the rounding of its place and of a mesh's candidates.
 constexpr double light_margin = 1e-6;
 
@@ -40,19 +40,19 @@ double short_of_light(const Stretch& way) {
   return way.length - light_margin * size;
 }
 
-bool visible_directly(const Space& space, const Stretch& way, const Departure& departure) {
+bool visible_directly(const Space& space, const Stretch& way, const SelfIntersectionGuard& guard) {
   const double high = short_of_light(way);
   if (high <= 0.0) return true;
-  if (space.portals.nearest(way.ray, 0.0, high, space.surfaces.flush().left_by(departure)))
+  if (space.portals.nearest(way.ray, 0.0, high, space.surfaces.flush().left_by(guard)))
     return false;
-  return !space.surfaces.blocked(way.ray, 0.0, high, departure) && !meets_horizon(space, way);
+  return !space.surfaces.blocked(way.ray, 0.0, high, guard) && !meets_horizon(space, way);
 }
 
 bool visible_through(const Space& space, const ShadowQuery& query) {
   const Portal& portal = space.portals.portals()[query.portal];
   const Stretch unfolded = stretch(query.from, query.to);
-  const auto met = Obstacles(space.surfaces, space.portals)
-                       .first(unfolded.ray, unfolded.length, {query.departure});
+  const auto met =
+      Obstacles(space.surfaces, space.portals).first(unfolded.ray, unfolded.length, {query.guard});
   if (!met || met->object != query.portal ||
       (met->kind != Encounter::Kind::portal_front &&
        met->kind != Encounter::Kind::portal_through_back) ||
@@ -68,7 +68,7 @@ bool visible_through(const Space& space, const ShadowQuery& query) {
 
 bool visible(const Space& space, const ShadowQuery& query) {
   if (query.portal != no_portal) return visible_through(space, query);
-  return visible_directly(space, stretch(query.from, query.to), query.departure);
+  return visible_directly(space, stretch(query.from, query.to), query.guard);
 }
 
 }  // namespace portalens

@@ -9,20 +9,20 @@
 
 namespace portalens {
 
-/// Light that reaches the film if nothing is in its straight way.
+/// Light that reaches the film if nothing is in its straight path.
 struct ShadowQuery {
   ShadowQuery() {}  // not `= default`: that would clear it as a whole first, which takes long
 
   Vec3d from;                          ///< the point that is lit
   Vec3d to;                            ///< the light's point; through a portal, its image
   std::uint32_t portal = no_portal;    ///< the portal whose front it comes through
-  Departure departure;                 ///< the surface that is lit
-  Rgb contribution;                    ///< to the film, if the way is free
+  SelfIntersectionGuard guard;         ///< the surface that is lit
+  Rgb contribution;                    ///< to the film, if the path is free
   std::uint32_t sample = 0, slot = 0;  ///< of the photon that asks
 };
 
-/// Whether the way is free: of surfaces, portals' fronts, material backs and horizons. Through a
-/// portal: both halves are, and the first portal on the way is that one.
+/// Whether the path is free: of surfaces, portals' fronts, material backs and horizons. Through a
+/// portal: both halves are, and the first portal on the path is that one.
 [[nodiscard]] bool visible(const Space& space, const ShadowQuery& query);
 
 }  // namespace portalens

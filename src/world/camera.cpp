@@ -139,7 +139,7 @@ void FilmCamera::rays(std::span<const FilmPlace> places, std::span<Ray> rays) co
     return;
   }
   // Component by component, for the compiler to take several at once; each as `ray` does.
-  std::array<double, most_rays> x, y, z;
+  std::array<double, max_rays> x, y, z;
   const Vec3d right = camera_.right, up = camera_.up, forward = camera_.forward;
   const double width = width_, height = height_, half = half_height_, aspect = aspect_;
   const std::size_t count = places.size();

@@ -49,9 +49,9 @@ class FilmCamera {
   /// As `Camera::ray`.
   [[nodiscard]] Ray ray(double film_x, double film_y) const;
 
-  static constexpr std::size_t most_rays = 64;
+  static constexpr std::size_t max_rays = 64;
   /// The same rays for many places, sooner: they are worked out side by side.
-  /// @pre places.size() <= most_rays, rays.size() >= places.size()
+  /// @pre places.size() <= max_rays, rays.size() >= places.size()
   void rays(std::span<const FilmPlace> places, std::span<Ray> rays) const;
 
  private:

@@ -19,16 +19,16 @@
 namespace portalens {
 namespace {
 
-constexpr std::int64_t most_crossings = 10'000;
-constexpr std::int64_t most_pixels_along = 65'536;
-constexpr std::int64_t most_pixels = std::int64_t{1} << 28;
-constexpr std::int64_t most_samples = 1'000'000;
+constexpr std::int64_t max_crossings = 10'000;
+constexpr std::int64_t max_pixels_along = 65'536;
+constexpr std::int64_t max_pixels = std::int64_t{1} << 28;
+constexpr std::int64_t max_samples = 1'000'000;
 
 Film film_from(Parameters& parameters) {
   Film film;
-  film.width = static_cast<int>(parameters.integer("width", 1, most_pixels_along, film.width));
-  film.height = static_cast<int>(parameters.integer("height", 1, most_pixels_along, film.height));
-  if (std::int64_t{film.width} * film.height > most_pixels)
+  film.width = static_cast<int>(parameters.integer("width", 1, max_pixels_along, film.width));
+  film.height = static_cast<int>(parameters.integer("height", 1, max_pixels_along, film.height));
+  if (std::int64_t{film.width} * film.height > max_pixels)
     parameters.fault("width", "the film has more than 268 million pixels",
                      "give a smaller width or height");
   return film;
@@ -36,7 +36,7 @@ Film film_from(Parameters& parameters) {
 
 Sampling sampling_from(Parameters& parameters) {
   Sampling sampling;
-  sampling.samples = parameters.integer("samples", 1, most_samples, sampling.samples);
+  sampling.samples = parameters.integer("samples", 1, max_samples, sampling.samples);
   sampling.seed =
       parameters.integer("seed", 0, std::numeric_limits<std::int64_t>::max(), sampling.seed);
   return sampling;
@@ -146,7 +146,7 @@ World compile(const Scene& scene, const CompileOptions& options) {
   std::uint32_t max_crossings = 16;
   look.limits = read_section(scene.shading, faults, [&](Parameters& parameters) {
     max_crossings = static_cast<std::uint32_t>(
-        parameters.integer("max_crossings", 0, most_crossings, max_crossings));
+        parameters.integer("max_crossings", 0, max_crossings, max_crossings));
     return ShadingLimits::from(parameters);
   });
   look.environment = read_section(scene.environment, faults, [&](Parameters& parameters) {

@@ -7,8 +7,8 @@
 namespace portalens {
 namespace {
 
-constexpr std::size_t most_compared = 1000;  // names a misspelt one is held against
-constexpr std::size_t most_guesses = 100;    // among so many faults nobody needs another
+constexpr std::size_t max_compared = 1000;  // names a misspelt one is held against
+constexpr std::size_t max_guesses = 100;    // among so many faults nobody needs another
 
 }  // namespace
 
@@ -30,9 +30,9 @@ std::uint32_t MaterialList::named_by(Parameters& parameters, std::string_view ke
   const std::string name = parameters.text(key);
   if (parameters.faults().size() > before) return plain();
   if (const auto found = by_name_.find(name); found != by_name_.end()) return found->second;
-  const bool guess = before < most_guesses;
+  const bool guess = before < max_guesses;
   std::vector<std::string> known;
-  for (auto it = by_name_.begin(); guess && it != by_name_.end() && known.size() < most_compared;
+  for (auto it = by_name_.begin(); guess && it != by_name_.end() && known.size() < max_compared;
        ++it)
     known.push_back(it->first);
   parameters.fault(key, "unknown material " + in_quotes(name),

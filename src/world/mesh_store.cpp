@@ -13,7 +13,7 @@ std::optional<LoadedMesh> MeshStore::load(const Mesh& mesh, const Location& aske
   const Stored& found = stored(*path, asked_at);
   if (found.file.triangles.corners.empty()) return std::nullopt;
   triangles_ += found.file.triangles.corners.size();
-  if (triangles_ > most_triangles) {
+  if (triangles_ > max_triangles) {
     faults_->add(asked_at, "the scene has more than 10 million triangles",
                  "use fewer or coarser meshes");
     return std::nullopt;

@@ -15,9 +15,9 @@ namespace {
 /// Largest error of a pair's congruence, relative to the longest edge.
 constexpr double congruent = 1e-6;
 
-constexpr std::size_t most_vertices = 64;
-constexpr std::size_t most_compared = 1000;  // names a misspelt one is held against
-constexpr std::size_t most_guesses = 100;    // among so many faults nobody needs another
+constexpr std::size_t max_vertices = 64;
+constexpr std::size_t max_compared = 1000;  // names a misspelt one is held against
+constexpr std::size_t max_guesses = 100;    // among so many faults nobody needs another
 
 std::vector<Vec3d> as_vectors(const std::vector<Triple>& points) {
   std::vector<Vec3d> vectors;
@@ -62,7 +62,7 @@ void PortalReader::read(Parameters& parameters, const std::string& name, Materia
   read.pair = parameters.text("pair");
   Portal& portal = read.portal;
   portal.name = name;
-  portal.vertices = as_vectors(parameters.points("vertices", 3, most_vertices));
+  portal.vertices = as_vectors(parameters.points("vertices", 3, max_vertices));
   portal.tint = to_vec3(parameters.triple("tint", non_negative, Triple{1, 1, 1}));
   read.back = parameters.where("back");
   if (parameters.has("back")) {
@@ -94,9 +94,9 @@ std::optional<std::uint32_t> PortalReader::partner(std::uint32_t index) const {
   if (read.pair.empty()) return std::nullopt;  // already told
   const auto found = by_name_.find(read.pair);
   if (found == by_name_.end()) {
-    const bool guess = faults_->size() < most_guesses;
+    const bool guess = faults_->size() < max_guesses;
     std::vector<std::string> known;
-    for (std::uint32_t i = 0; guess && i < portals_.size() && known.size() < most_compared; ++i)
+    for (std::uint32_t i = 0; guess && i < portals_.size() && known.size() < max_compared; ++i)
       if (i != index) known.push_back(portals_[i].portal.name);
     return refuse(
         "no portal has the name " + in_quotes(read.pair),

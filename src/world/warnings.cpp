@@ -20,19 +20,19 @@ using Warnings = std::vector<std::string>;
 
 /// A scene may hold pairs by the hundred million. So many items are held against each other, and so
 /// many pairs are told by name.
-constexpr std::size_t most_compared = 5000, most_told = 100;
+constexpr std::size_t max_compared = 5000, max_told = 100;
 
-/// Warns of the pairs j < i of the first `most_compared` of `count` items that overlap.
+/// Warns of the pairs j < i of the first `max_compared` of `count` items that overlap.
 template <class Overlap, class Tell>
 void about_pairs(std::string_view items, std::size_t count, const Overlap& overlap,
                  const Tell& tell, Warnings& warnings) {
-  const std::size_t compared = std::min(count, most_compared);
+  const std::size_t compared = std::min(count, max_compared);
   std::size_t found = 0;
   for (std::size_t i = 0; i < compared; ++i)
     for (std::size_t j = 0; j < i; ++j)
-      if (overlap(j, i) && found++ < most_told) warnings.push_back(tell(j, i));
-  if (found > most_told)
-    warnings.push_back(fmt::format("{} more pairs of {} overlap", found - most_told, items));
+      if (overlap(j, i) && found++ < max_told) warnings.push_back(tell(j, i));
+  if (found > max_told)
+    warnings.push_back(fmt::format("{} more pairs of {} overlap", found - max_told, items));
   if (count > compared)
     warnings.push_back(fmt::format("of {} {} the first {} were compared: others may overlap, too",
                                    count, items, compared));
@@ -86,7 +86,7 @@ void about_bound_light(const World& world, Warnings& warnings) {
   if (physics.portal_gravity_depth == 0) return;
   const auto portals = space.portals.portals();
   const auto found = bound_light(physics.portal_gravity, portals, space.masses, physics.c);
-  for (const BoundLight& one : std::span(found).first(std::min(found.size(), most_told))) {
+  for (const BoundLight& one : std::span(found).first(std::min(found.size(), max_told))) {
     const Mass& mass = space.masses[one.mass];
     const Portal& portal = portals[one.portal];
     const double m = gravitational_radius(mass.gm, physics.c);
@@ -99,9 +99,9 @@ void about_bound_light(const World& world, Warnings& warnings) {
         in_quotes(portal.name), in_quotes(mass.name), where, m,
         in_quotes(portals[portal.pair].name)));
   }
-  if (found.size() > most_told)
+  if (found.size() > max_told)
     warnings.push_back(fmt::format("{} more masses are felt through portals from so near",
-                                   found.size() - most_told));
+                                   found.size() - max_told));
 }
 
 /// A surface that no photon can reach, since the horizon of its own mass lies around all of it.
@@ -133,9 +133,9 @@ void about_flush_faces(const World& world, Warnings& warnings) {
     return in_quotes(object < shape_count ? world.appearance.bodies[object].name
                                           : portals[object - shape_count].name);
   };
-  constexpr std::size_t most_pairs = 10'000;
+  constexpr std::size_t max_pairs = 10'000;
   std::size_t found = 0;
-  const auto pairs = world.space.surfaces.flush().overlaps(most_pairs);
+  const auto pairs = world.space.surfaces.flush().overlaps(max_pairs);
   for (const auto& [seen, hidden] : pairs) {
     std::string told = fmt::format("{} lies in the plane of {}: ", name(seen), name(hidden));
     if (hidden >= shape_count) {
@@ -152,12 +152,11 @@ void about_flush_faces(const World& world, Warnings& warnings) {
     } else {
       told += fmt::format("where both are, {} is seen", name(seen));
     }
-    if (found++ < most_told) warnings.push_back(std::move(told));
+    if (found++ < max_told) warnings.push_back(std::move(told));
   }
-  if (found > most_told)
+  if (found > max_told)
     warnings.push_back(fmt::format("{}{} more pairs lie in one plane and overlap",
-                                   pairs.size() < most_pairs ? "" : "at least ",
-                                   found - most_told));
+                                   pairs.size() < max_pairs ? "" : "at least ", found - max_told));
 }
 
 void about_light(const World& world, Warnings& warnings) {

@@ -132,7 +132,7 @@ TEST_F(Draw, EachStepIsOneSegmentInTurnGreenAndGrey) {
   const Trace trace = trace_ray(compile(scene), photon_along({{-8, 4, 0}, {1, 0, 0}}), 0);
   ASSERT_GT(trace.end.steps, 50u);
   std::size_t steps = 0;
-  for (const auto& stretch : trace.journey.stretches)
+  for (const auto& stretch : trace.path_trace.stretches)
     for (std::size_t i = 1; i < stretch.size(); ++i)
       if (!(stretch[i] == stretch[i - 1])) ++steps;
   const std::string svg = folder_.read("a.svg");

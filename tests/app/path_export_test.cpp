@@ -1,5 +1,5 @@
 /// \file
-/// `portalens trace -o`: files of ways, each opened by a reader that is not ours or is strict.
+/// `portalens trace -o`: files of paths, each opened by a reader that is not ours or is strict.
 #include <gtest/gtest.h>
 #include <tiny_obj_loader.h>
 
@@ -261,7 +261,7 @@ TEST(PathExport, SvgIsWellFormedAndNamesTheBodies) {
   }
 }
 
-/// The colours of the ways, as SVG has them.
+/// The colours of the paths, as SVG has them.
 std::set<std::string> colors_of_ways(const std::string& svg) {
   std::set<std::string> colors;
   const std::regex way("<path class=\"path\" stroke=\"(#[0-9a-f]{6})\"");

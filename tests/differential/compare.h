@@ -15,7 +15,7 @@ namespace portalens::differential {
 /// How one answer differs from the reference's.
 struct Difference {
   bool other_way = false;    ///< another fate, object, or portals crossed
-  double tolerances = 0.0;   ///< between the directions, where the way is the same
+  double tolerances = 0.0;   ///< between the directions, where the path is the same
   bool unexplained = false;  ///< more than starts a little aside differ among themselves
 
   [[nodiscard]] bool counts() const { return other_way || tolerances > 1.0; }
@@ -61,7 +61,7 @@ inline constexpr double usual_limit = 20.0;
 [[nodiscard]] Arrival exact_arrival(const Stage& stage, const Photon& photon);
 
 /// How far `found` is from the reference's answer for this photon. It is explained by how much the
-/// photon's way magnifies errors if one of 8 photons of the reference, whose starts point 3
+/// photon's path magnifies errors if one of 8 photons of the reference, whose starts point 3
 /// tolerances aside, all around, goes the same other way, or differs at least as much in direction.
 [[nodiscard]] Difference difference_of(const Stage& stage, const Photon& photon,
                                        const Arrival& found, const Arrival& exact);

@@ -31,10 +31,10 @@ DraftWeight random_weight(const Draft& draft, Lot& lot, double mass) {
 }
 
 void add_masses(Draft& draft, Lot& lot, double heaviest) {
-  const bool crowd = draft.kind == "bare" && lot.chance(0.15);
-  const int count = crowd ? lot.whole(9, 20) : 1 + lot.weighted({5, 4, 2, 1, 0.5, 0.5});
+  const bool many = draft.kind == "bare" && lot.chance(0.15);
+  const int count = many ? lot.whole(9, 20) : 1 + lot.weighted({5, 4, 2, 1, 0.5, 0.5});
   for (int i = 0; i < count; ++i) {
-    const double share = i == 0 ? 1.0 : lot.logarithmic(crowd ? 0.003 : 0.03, 1.0);
+    const double share = i == 0 ? 1.0 : lot.logarithmic(many ? 0.003 : 0.03, 1.0);
     Vec3d center = lot.point(half_box);
     // Also near the one before: influences within influences, and such as cut each other.
     if (i > 0 && lot.chance(0.4))

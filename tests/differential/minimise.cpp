@@ -66,7 +66,7 @@ class Minimiser {
   bool drop_things();
   /// Takes away what things have, but for the mass of a mass, and what is unusual of the settings.
   void make_things_plain();
-  /// As few digits as the photon's way can do with, the fewest first.
+  /// As few digits as the photon's path can do with, the fewest first.
   void round_numbers();
 
   [[nodiscard]] const Find& find() const { return find_; }
@@ -104,7 +104,7 @@ bool Minimiser::drop_things() {
   for (std::size_t i = find_.draft.masses.size(); i-- > 0;)
     any |= keeps_wrong([&](Find& f) { erase(f.draft.masses, i, 1); });
   // What starts on a body knows it by its place among them.
-  const bool starts_on_one = find_.photon.departure.shape != no_object;
+  const bool starts_on_one = find_.photon.guard.shape != no_object;
   for (std::size_t i = starts_on_one ? 0 : find_.draft.bodies.size(); i-- > 0;)
     any |= keeps_wrong([&](Find& f) { erase(f.draft.bodies, i, 1); });
   for (std::size_t i = find_.draft.portals.size() / 2; i-- > 0;)

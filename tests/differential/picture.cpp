@@ -9,8 +9,8 @@
 #include "differential/pieces.h"
 #include "differential/way.h"
 #include "portal/portal.h"
-#include "render/lattice.h"
 #include "render/render.h"
+#include "render/sampling_grid.h"
 
 namespace portalens::differential {
 namespace {
@@ -109,7 +109,7 @@ bool is_known(const Arrival& arrival, const std::vector<Arrival>& all, const Fil
   return false;
 }
 
-/// Whether the same surface was hit at another place, farther off than this share of the way.
+/// Whether the same surface was hit at another place, farther off than this share of the path.
 bool is_misplaced(const Arrival& found, const Arrival& own, double share) {
   return own.fate == Fate::hit && length(found.position - own.position) > share * own.length;
 }
@@ -140,7 +140,8 @@ PictureComparison compare_pictures(const Stage& stage) {
   const auto guard = BeamGuard::over(world.space);
   Tally tally;
   const Film& film = world.film;
-  Lattice(world, *guard, {0, 0, film.width, film.height}).advance(places_of(film), fewer, tally);
+  SamplingGrid(world, *guard, {0, 0, film.width, film.height})
+      .advance(places_of(film), fewer, tally);
   comparison.pixels = all.size();
   comparison.interpolated = tally.interpolated;
   const double tolerance = world.space.physics.tolerance;

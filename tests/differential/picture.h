@@ -21,7 +21,7 @@ struct PictureComparison {
   std::uint64_t other_way = 0;     ///< that found another fate, object, or other portals
   std::uint64_t over10 = 0;        ///< whose direction is off by more than 10 tolerances
   std::uint64_t misplaced =
-      0;  ///< that hit a surface more than 10 tolerances of the way's length off
+      0;  ///< that hit a surface more than 10 tolerances of the path's length off
   std::uint64_t strangers = 0;     ///< that show what no photon of the 3 x 3 about them found
   int worst_x = -1, worst_y = -1;  ///< one of the strangers, or else of the others
 };

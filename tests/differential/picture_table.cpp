@@ -7,7 +7,7 @@
 namespace portalens::differential {
 namespace {
 
-constexpr double most_errors = 5e-5;  // share of the pixels
+constexpr double max_errors = 5e-5;  // share of the pixels
 
 struct Sums {
   std::uint64_t pictures = 0, interpolating = 0;
@@ -48,7 +48,7 @@ std::string picture_table(const std::vector<PictureEntry>& entries, std::size_t 
                         fmt::format("{:.5f} % ({})", percent(count, all.pixels), count), most);
   };
   row("off by over 10 tolerances, or another way", errors_in(all),
-      fmt::format("{:.4f} %", 100.0 * most_errors));
+      fmt::format("{:.4f} %", 100.0 * max_errors));
   row("of these, another way", all.other_way, "");
   row("hits over 10 tolerances of the way misplaced", all.misplaced, "");
   row("showing what nothing around them shows", all.strangers, "none");
@@ -73,7 +73,7 @@ std::string picture_table(const std::vector<PictureEntry>& entries, std::size_t 
 bool pictures_hold(const std::vector<PictureEntry>& entries) {
   const PictureComparison all = sums_of(entries).of;
   return all.strangers == 0 &&
-         static_cast<double>(errors_in(all)) <= most_errors * static_cast<double>(all.pixels);
+         static_cast<double>(errors_in(all)) <= max_errors * static_cast<double>(all.pixels);
 }
 
 }  // namespace portalens::differential

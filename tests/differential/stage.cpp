@@ -44,7 +44,7 @@ std::vector<Photon> mirrored_photons(const World& world, const std::vector<Photo
     Photon photon;
     photon.position = point.position;
     photon.direction = normalize(arrival.direction - 2.0 * towards * point.outward);
-    photon.departure = point.leaving(photon.direction);
+    photon.guard = point.leaving(photon.direction);
     mirrored.push_back(photon);
   }
   return mirrored;

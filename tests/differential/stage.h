@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "differential/draft.h"
-#include "photon/engine.h"
+#include "lanes/engine.h"
 #include "support/scene_folder.h"
 #include "world/world.h"
 

@@ -62,7 +62,7 @@ struct Row {
 /// where most is unexplained.
 [[nodiscard]] std::vector<Entry> worst_of(const std::vector<Entry>& entries, Engine engine,
                                           std::size_t count);
-/// A line for each scene, with that engine's worst photon, how many ways + directions are
+/// A line for each scene, with that engine's worst photon, how many paths + directions are
 /// unexplained, and what the other engine's worst is.
 [[nodiscard]] std::string lines_of(const std::vector<Entry>& entries, Engine engine);
 /// What is wrong with a photon.

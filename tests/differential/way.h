@@ -23,7 +23,7 @@ namespace portalens::differential {
 }
 
 /// The same of photons that went the same way; 0 where nobody sees the direction, since they were
-/// swallowed, or lost on their way.
+/// swallowed, or lost on their path.
 [[nodiscard]] inline double direction_apart(const Arrival& a, const Arrival& b) {
   const bool seen = a.fate == Fate::hit || a.fate == Fate::escaped;
   return seen ? angle_between(a, b) : 0.0;

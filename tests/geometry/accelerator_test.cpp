@@ -143,8 +143,8 @@ TEST(Accelerator, APathNeverMeetsTheFaceItLeavesButDoesMeetTheFarSide) {
         const double reach = 1e-6;
         // Starts a little off on either side, as paths that were rounded do.
         const Ray ray{start.position + start.geometric_normal * random.uniform(-1e-10, 1e-10), way};
-        const Departure departure{0, here->face, slope > 0 ? 1.0 : -1.0, reach};
-        const auto next = accelerator.nearest(ray, 0, infinity, departure);
+        const SelfIntersectionGuard guard{0, here->face, slope > 0 ? 1.0 : -1.0, reach};
+        const auto next = accelerator.nearest(ray, 0, infinity, guard);
         if (next && next->face == here->face) {
           const auto there = accelerator.surface_at(0, next->face, ray.at(next->distance));
           EXPECT_LT(dot(way, there.geometric_normal) * slope, 0.0) << "met what it left";
@@ -172,8 +172,8 @@ TEST(Accelerator, APathThatLeavesAnEdgeDoesNotMeetTheNeighbouringFace) {
     Vec3d way = random.direction();
     way.z = std::fabs(way.z);
     const auto face = static_cast<std::uint32_t>(i % 2);
-    const Departure departure{0, face, 1.0, 1e-6};
-    EXPECT_FALSE(accelerator.blocked({{at, at, -1e-16}, way}, 0, infinity, departure));
+    const SelfIntersectionGuard guard{0, face, 1.0, 1e-6};
+    EXPECT_FALSE(accelerator.blocked({{at, at, -1e-16}, way}, 0, infinity, guard));
   }
 }
 

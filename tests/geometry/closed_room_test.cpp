@@ -52,13 +52,13 @@ int leaks(const Room& room, Vec3d at, int bounces, std::uint64_t seed) {
   Random random(seed);
   int lost = 0;
   Ray ray{at + random.point(0.1) - Vec3d{0, 0.2, 0}, random.direction()};
-  Departure departure;
+  SelfIntersectionGuard guard;
   for (int i = 0; i < bounces; ++i) {
-    const auto hit = accelerator.nearest(ray, 0, infinity, departure);
+    const auto hit = accelerator.nearest(ray, 0, infinity, guard);
     if (!hit || length(ray.at(hit->distance) - at) > room.radius) {
       ++lost;
       ray = {at - Vec3d{0, 0.2, 0}, random.direction()};
-      departure = {};
+      guard = {};
       continue;
     }
     const Vec3d x = ray.at(hit->distance);
@@ -71,7 +71,7 @@ int leaks(const Room& room, Vec3d at, int bounces, std::uint64_t seed) {
       if (dot(other, normal) * dot(way, normal) > 0) way = other;
     }
     ray = {i % 2 ? x : point.position, normalize(way)};
-    departure = {hit->shape, hit->face, dot(ray.direction, normal) > 0 ? 1.0 : -1.0, 1e-6};
+    guard = {hit->shape, hit->face, dot(ray.direction, normal) > 0 ? 1.0 : -1.0, 1e-6};
   }
   return lost;
 }

@@ -163,9 +163,9 @@ TEST(FlushFaces, AWayThatLeavesOneOfThemMeetsNoneOfTheOthers) {
       for (std::uint32_t shape = 0; shape < 3; ++shape) {
         const Vec3d normal = accelerator.surface_at(shape, 0, ray.origin).geometric_normal;
         const double slope = dot(ray.direction, normal);
-        const Departure departure{shape, 0, slope < 0.0 ? -1.0 : 1.0,
-                                  departure_reach(length(ray.origin) + place.size, slope)};
-        EXPECT_FALSE(accelerator.nearest(ray, 0, infinity, departure));
+        const SelfIntersectionGuard guard{shape, 0, slope < 0.0 ? -1.0 : 1.0,
+                                          guard_reach(length(ray.origin) + place.size, slope)};
+        EXPECT_FALSE(accelerator.nearest(ray, 0, infinity, guard));
       }
     }
   }

@@ -157,7 +157,7 @@ TEST(Solids, LinesThroughTheTipOfAConeMeetIt) {
   const Vec3d base = cone.center_of_mass();
   Random random(6);
   for (int i = 0; i < scaled(2000); ++i) {
-    // From within, whatever way: never out without a contact.
+    // From within, whatever path: never out without a contact.
     const Ray ray{base + random.point(0.1), random.direction()};
     EXPECT_TRUE(cone.intersect(ray, 0, infinity).has_value());
   }

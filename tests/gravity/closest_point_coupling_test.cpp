@@ -99,9 +99,10 @@ TEST(ClosestPointCoupling, NothingJumpsWithinItsCalm) {
     const ClosestPointCoupling coupling(scene.input(1 + round % 3));
     for (int i = 0; i < 20; ++i) {
       const Vec3d x = random.point(5.0);
-      const double calm = coupling.calm(x);
-      if (!std::isfinite(calm)) continue;
-      const Vec3d y = x + random.direction() * (calm * random.uniform(0.0, 1.0) * (1.0 - 1e-9));
+      const double distance_to_discontinuity = coupling.distance_to_discontinuity(x);
+      if (!std::isfinite(distance_to_discontinuity)) continue;
+      const Vec3d y = x + random.direction() *
+                              (distance_to_discontinuity * random.uniform(0.0, 1.0) * (1.0 - 1e-9));
       const std::vector<PullPart> at_x = coupling.parts(x), at_y = coupling.parts(y);
       ASSERT_EQ(at_x.size(), at_y.size()) << round << ' ' << i;
       for (std::size_t p = 0; p < at_x.size(); ++p) {
@@ -127,7 +128,7 @@ TEST(ClosestPointCoupling, IsCalmWhileAnImageRestsOnARim) {
   Random random(6);
   for (int i = 0; i < scaled(1000); ++i) {
     const Vec3d x{random.uniform(-0.9, 2.9), random.uniform(1.1, 3.0), random.uniform(1.1, 4.0)};
-    EXPECT_GT(coupling.calm(x), 0.01) << x.x << ' ' << x.y << ' ' << x.z;
+    EXPECT_GT(coupling.distance_to_discontinuity(x), 0.01) << x.x << ' ' << x.y << ' ' << x.z;
   }
 }
 
@@ -144,10 +145,10 @@ TEST(ClosestPointCoupling, IsNeitherQuietNorCalmThroughThePlaneOfAFace) {
     return frame.to_world({aside, 0.0, height});
   };
   // The rim is 28 away, but what comes through the plane has the face before it.
-  EXPECT_NEAR(coupling.quiet(at(-5.0)), 2.0, 1e-9);
-  EXPECT_NEAR(coupling.calm(at(-5.0)), 5.0, 1e-9);
-  EXPECT_EQ(coupling.quiet(at(0.5)), 0.0);
-  EXPECT_NEAR(coupling.quiet(at(-5.0, 50.0)), std::hypot(20.0, 5.0) - 3.0, 1e-9);
+  EXPECT_NEAR(coupling.distance_to_support(at(-5.0)), 2.0, 1e-9);
+  EXPECT_NEAR(coupling.distance_to_discontinuity(at(-5.0)), 5.0, 1e-9);
+  EXPECT_EQ(coupling.distance_to_support(at(0.5)), 0.0);
+  EXPECT_NEAR(coupling.distance_to_support(at(-5.0, 50.0)), std::hypot(20.0, 5.0) - 3.0, 1e-9);
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ TYPED_TEST(Couplings, AreTheSumOfTheirParts) {
                    sum += part.acceleration;
                    ASSERT_FALSE(part.portals.empty());
                    EXPECT_GE(part.distance, 0.0);
-                   // The way sets out towards the first face.
+                   // The path sets out towards the first face.
                    const PortalFace face(scene.portals[part.portals.front()]);
                    EXPECT_LE(face.distance(part.entrance), 1e-9);
                  }
@@ -105,30 +105,31 @@ TYPED_TEST(Couplings, ChangeTheirSignatureOnlyWhereTheFieldIsNotSmooth) {
   if (TypeParam::name != "none") {
     EXPECT_GT(kinks, 0);
   }
-  // A change for nothing costs a step, no more: a decision on the way to a vertex, say.
+  // A change for nothing costs a step, no more: a decision on the path to a vertex, say.
   EXPECT_LE(idle, 0.01 * kinks);
 }
 
 TYPED_TEST(Couplings, AreSilentWithinTheirQuiet) {
-  int quiet_places = 0;
+  int silent_places = 0;
   for_scenes(53, scaled(60), [&](const PortalScene&, const CouplingInput& input, Random& random) {
     const TypeParam coupling(input);
     const std::uint64_t silence = coupling.signature({1e9, 0, 0});
     for (int i = 0; i < 20; ++i) {
       const Vec3d start = random.point(20.0);
-      const double quiet = coupling.quiet(start);
-      ASSERT_GE(quiet, 0.0);
-      if (quiet == 0.0) continue;
-      ++quiet_places;
+      const double distance_to_support = coupling.distance_to_support(start);
+      ASSERT_GE(distance_to_support, 0.0);
+      if (distance_to_support == 0.0) continue;
+      ++silent_places;
       for (int k = 0; k < 20; ++k) {
-        const double far = std::min(quiet, 50.0) * random.uniform(0.0, 1.0) * (1.0 - 1e-12);
+        const double far =
+            std::min(distance_to_support, 50.0) * random.uniform(0.0, 1.0) * (1.0 - 1e-12);
         const Vec3d x = start + random.direction() * far;
         ASSERT_EQ(coupling.pull(x, x).acceleration, Vec3d{});
         ASSERT_EQ(coupling.signature(x), silence);
       }
     }
   });
-  EXPECT_GT(quiet_places, 0);
+  EXPECT_GT(silent_places, 0);
 }
 
 TYPED_TEST(Couplings, AddNothingAtDepthZeroOrWithoutPortals) {
@@ -142,8 +143,8 @@ TYPED_TEST(Couplings, AddNothingAtDepthZeroOrWithoutPortals) {
       const Vec3d x = random.point(2.0);
       EXPECT_EQ(shallow.pull(x, x).acceleration, Vec3d{});
       EXPECT_EQ(bare.pull(x, x).acceleration, Vec3d{});
-      EXPECT_TRUE(std::isinf(shallow.quiet(x)));
-      EXPECT_TRUE(std::isinf(bare.quiet(x)));
+      EXPECT_TRUE(std::isinf(shallow.distance_to_support(x)));
+      EXPECT_TRUE(std::isinf(bare.distance_to_support(x)));
     }
   }
 }
@@ -168,7 +169,7 @@ TYPED_TEST(Couplings, StayFiniteOnFacesRimsAndMasses) {
       const Pull pull = coupling.pull(x, x);
       EXPECT_TRUE(is_finite(pull.acceleration));
       EXPECT_FALSE(std::isnan(pull.stiffness));
-      EXPECT_FALSE(std::isnan(coupling.quiet(x)));
+      EXPECT_FALSE(std::isnan(coupling.distance_to_support(x)));
     }
   });
 }

@@ -98,8 +98,8 @@ TEST(ShortestWay, ThroughOneFaceIsTheMinimumOverTheFace) {
   EXPECT_GT(straight, scaled(100000) / 20);
 }
 
-/// The shortest way over sampled rims by dynamic programming, the samples drawn together around the
-/// best way again and again. Every way it tries is allowed, so it is never too short.
+/// The shortest path over sampled rims by dynamic programming, the samples drawn together around
+/// the best way again and again. Every path it tries is allowed, so it is never too short.
 class SampledRims {
  public:
   SampledRims(Vec3d x, Vec3d p, const std::vector<Portal>& faces) : x_(x), p_(p), faces_(faces) {}
@@ -165,7 +165,7 @@ class SampledRims {
     return true;
   }
 
-  /// The shortest way with rim points out of the windows, which then close in on it.
+  /// The shortest path with rim points out of the windows, which then close in on it.
   double sweep(std::vector<Window>& windows, int zoom) const {
     const std::size_t none = faces_.size();
     std::vector<std::vector<Sample>> rims;
@@ -203,7 +203,7 @@ class SampledRims {
   const std::vector<Portal>& faces_;
 };
 
-/// True if the way found keeps to the rules: its bends lie on rims, and it passes all other faces
+/// True if the path found keeps to the rules: its bends lie on rims, and it passes all other faces
 /// straight and in order.
 bool keeps_the_rules(Vec3d x, Vec3d p, FaceRow faces, const std::vector<Portal>& portals) {
   Passages passages;
@@ -244,7 +244,7 @@ void expect_shortest_through(std::size_t count, int rounds, std::uint64_t seed) 
     std::vector<Portal> portals;
     std::vector<PortalFace> faces;
     for (std::size_t i = 0; i < count; ++i) {
-      // Faces that cut each other are left out: they have ways that only just keep their order.
+      // Faces that cut each other are left out: they have paths that only just keep their order.
       std::vector<Vec3d> polygon;
       do {
         polygon = random_polygon(random, 1.5);
@@ -271,7 +271,7 @@ void expect_shortest_through(std::size_t count, int rounds, std::uint64_t seed) 
     ASSERT_TRUE(keeps_the_rules(x, p, row, portals)) << round;
     close += found > expected * (1.0 - 1e-6);
   }
-  // The samples may miss a way that has little room; it is then shorter, and keeps the rules.
+  // The samples may miss a path that has little room; it is then shorter, and keeps the rules.
   EXPECT_GE(close, 0.97 * rounds);
 }
 
@@ -314,8 +314,8 @@ TEST(ShortestWay, GivesUpBeyondItsLimit) {
   }
 }
 
-/// Whether a way slides from one to the other: they are equal, or a vertex and an edge that ends in
-/// it.
+/// Whether a path slides from one to the other: they are equal, or a vertex and an edge that ends
+/// in it.
 bool are_neighbours(Passage a, Passage b, std::uint32_t count) {
   if (a.kind == Passage::Kind::edge) std::swap(a, b);
   if (a.kind != Passage::Kind::vertex || b.kind != Passage::Kind::edge)
@@ -331,14 +331,14 @@ TEST(ShortestWay, DoesNotJumpWithinItsCalm) {
     const PortalFace face(portal);
     const PortalFace* faces = &face;
     const Vec3d to = random.point(3.0), from = random.point(3.0);
-    const double calm = calm_passage(from, to, face);
-    const Vec3d there =
-        from + random.direction() * (std::min(calm, 3.0) * random.uniform(0.5, 1.0) * (1.0 - 1e-9));
+    const double distance_to_discontinuity = clear_passage(from, to, face);
+    const Vec3d there = from + random.direction() * (std::min(distance_to_discontinuity, 3.0) *
+                                                     random.uniform(0.5, 1.0) * (1.0 - 1e-9));
     Passages here{}, aside{};
     ASSERT_TRUE(shortest_passages(from, to, {&faces, 1}, boundless, here));
     ASSERT_TRUE(shortest_passages(there, to, {&faces, 1}, boundless, aside));
     ASSERT_TRUE(are_neighbours(here[0], aside[0], portal.vertices.size())) << round;
-    moved += calm > 0.1;
+    moved += distance_to_discontinuity > 0.1;
   }
   EXPECT_GT(moved, scaled(20000) / 3);
 }

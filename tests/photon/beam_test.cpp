@@ -40,7 +40,7 @@ Space space_of(std::vector<Shape> more_shapes = {}, std::vector<Mass> more_masse
 /// Four photons through the corners of a cell of the picture, and one between them.
 struct Beam {
   std::array<Arrival, 4> arrivals;
-  std::array<Trail, 4> trails;
+  std::array<PathRecord, 4> records;
   Photon between;
 
   Beam(const Space& space, Random& random) {
@@ -48,7 +48,7 @@ struct Beam {
     std::array<Photon, 4> photons;
     for (std::size_t i = 0; i < 4; ++i)
       photons[i] = at(x + (i % 2 == 0 ? 0 : cell), y + (i < 2 ? 0 : cell));
-    advance_with_trails(space, photons, arrivals, trails);
+    advance_with_records(space, photons, arrivals, records);
     between = at(x + random.uniform(0, cell), y + random.uniform(0, cell));
   }
   static Photon at(double x, double y) { return photon_at(eye, {x, y, -1.0}); }
@@ -56,27 +56,27 @@ struct Beam {
   /// Whether the four met the same.
   [[nodiscard]] bool agrees() const {
     for (std::size_t i = 0; i < 4; ++i)
-      if (!trails[i].known() || trails[i].portals() != trails[0].portals() ||
+      if (!records[i].known() || records[i].portals() != records[0].portals() ||
           arrivals[i].fate != arrivals[0].fate || arrivals[i].object != arrivals[0].object ||
           arrivals[i].met != arrivals[0].met)
         return false;
     return arrivals[0].fate == Fate::hit || arrivals[0].fate == Fate::escaped;
   }
   [[nodiscard]] bool clear(const Space& space) const {
-    return BeamGuard::over(space)->clear({&trails[0], &trails[1], &trails[2], &trails[3]},
+    return BeamGuard::over(space)->clear({&records[0], &records[1], &records[2], &records[3]},
                                          arrivals[0]);
   }
 };
 
-/// Some place on the way of the photon between, and how far that is along its way; never the first
-/// or the last.
+/// Some place on the path of the photon between, and how far that is along its path; never the
+/// first or the last.
 std::optional<std::pair<Vec3d, double>> place_between(const Space& space, const Photon& photon,
                                                       Random& random) {
-  Journey journey;
-  (void)advance_recorded(space, photon, journey);
+  PathTrace path_trace;
+  (void)advance_recorded(space, photon, path_trace);
   std::vector<std::pair<Vec3d, double>> places;
   double way = 0.0;
-  for (const auto& stretch : journey.stretches)
+  for (const auto& stretch : path_trace.stretches)
     for (std::size_t i = 1; i < stretch.size(); ++i) {
       way += length(stretch[i] - stretch[i - 1]);
       if (i + 1 < stretch.size() && way < 30.0) places.emplace_back(stretch[i], way);
@@ -85,7 +85,7 @@ std::optional<std::pair<Vec3d, double>> place_between(const Space& space, const 
   return places[random.bits() % places.size()];
 }
 
-/// Puts small things on the way of photons between four others.
+/// Puts small things on the path of photons between four others.
 /// @param with  the space with the thing at that place, a tenth of a pixel large
 template <class With>
 void expect_seen(const With& with) {
@@ -166,20 +166,21 @@ TEST(BeamGuard, SeesAPortalOfAnyCornersOnTheWayOfAnyPhotonBetween) {
 /// the ground.
 bool clear_to_ground(const std::vector<Vec3d>& places) {
   const Space space = space_of();
-  std::array<Trail, 4> trails;
+  std::array<PathRecord, 4> records;
   for (std::size_t i = 0; i < 4; ++i) {
     const Vec3d aside{0, 0, 0.1 * static_cast<double>(i)};
     double way = 0.0;
     for (std::size_t k = 0; k < places.size(); ++k) {
       if (k > 0) way += length(places[k] - places[k - 1]);
-      trails[i].pass(places[k] + aside, way, 0.0);
+      records[i].pass(places[k] + aside, way, 0.0);
     }
   }
   Arrival ground;
   ground.fate = Fate::hit;
   ground.met = Met::surface;
   ground.object = 0;
-  return BeamGuard::over(space)->clear({&trails[0], &trails[1], &trails[2], &trails[3]}, ground);
+  return BeamGuard::over(space)->clear({&records[0], &records[1], &records[2], &records[3]},
+                                       ground);
 }
 
 TEST(BeamGuard, LetsLightSinkSlantwiseOntoAPlane) {
@@ -194,8 +195,8 @@ TEST(BeamGuard, SeesThatLightSkimsOverThePlaneItEndsOn) {
   EXPECT_FALSE(clear_to_ground({{10, 2.1, 8}, {18, 0.05, 8}, {20, 0.4, 8}, {22, 0.0, 8}}));
 }
 
-/// What the guard says of four straight ways, a hundredth aside of each other, that pass through an
-/// influence of radius 5 and end there.
+/// What the guard says of four straight paths, a hundredth aside of each other, that pass through
+/// an influence of radius 5 and end there.
 /// @param pull  of the mass at that radius, divided by what turns light by a radian a length
 bool clear_through_influence(double end, double pull, Fate fate) {
   Physics physics = physics_with(1e-4, 0.5);
@@ -203,13 +204,14 @@ bool clear_through_influence(double end, double pull, Fate fate) {
   mass.influence = 5.0;
   mass.horizon = false;
   const Space space = space_with(physics, {mass}, {}, {});
-  std::array<Trail, 4> trails;
+  std::array<PathRecord, 4> records;
   for (std::size_t i = 0; i < 4; ++i)
     for (const double x : {-12.0, 0.0, end})
-      trails[i].pass({x, 3.0, 0.01 * static_cast<double>(i)}, x + 12.0, 0.0);
+      records[i].pass({x, 3.0, 0.01 * static_cast<double>(i)}, x + 12.0, 0.0);
   Arrival arrival;
   arrival.fate = fate;
-  return BeamGuard::over(space)->clear({&trails[0], &trails[1], &trails[2], &trails[3]}, arrival);
+  return BeamGuard::over(space)->clear({&records[0], &records[1], &records[2], &records[3]},
+                                       arrival);
 }
 
 TEST(BeamGuard, SeesThatLightEndsWhereAnInfluenceDoes) {

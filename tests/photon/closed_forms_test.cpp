@@ -68,13 +68,13 @@ TEST(ClosedForms, BouguersInvariantIsConservedAlongThePath) {
   const Space space = one_mass(1e-9, 0.01);
   const double influence = space.masses[0].influence;
   for (double share : {3.31, 3.5, 5.0, 12.0, 60.0}) {
-    Journey journey;
+    PathTrace path_trace;
     const Arrival arrival =
-        advance_recorded(space, photon_at({-500, share * m, 0}, {1, 0, 0}), journey);
+        advance_recorded(space, photon_at({-500, share * m, 0}, {1, 0, 0}), path_trace);
     ASSERT_EQ(arrival.fate, Fate::escaped);
     const Vec3d x = arrival.position, t = arrival.direction;
     EXPECT_NEAR(length(cross(x, t)) / (share * m), 1.0, 1e-9) << share;
-    // On the way: what a fence of that radius stops.
+    // On the path: what a fence of that radius stops.
     const Photon photon = photon_at({-500, share * m, 0}, {1, 0, 0});
     for (double fence : {300.0, 30.0, 8.0}) {
       if (fence < share * m) continue;

@@ -150,7 +150,7 @@ TEST_P(UnboundedCoupling, LetsLightEscapeInTheDirectionOfALongWay) {
       const std::vector<Photon> batch = photons_about(scene, random, 20);
       const int depth = 1 + i % 2;
       const auto ended = arrivals_of(bent_space(scene, GetParam(), depth, tolerance), batch);
-      // At so small a tolerance the way goes on much farther.
+      // At so small a tolerance the path goes on much farther.
       const auto far = arrivals_of(bent_space(scene, GetParam(), depth, 1e-8), batch);
       for (std::size_t k = 0; k < batch.size(); ++k) {
         EXPECT_NE(ended[k].fate, Fate::lost);

@@ -1,4 +1,4 @@
-// What the errors of a way's steps come to, and that a way which magnifies them is taken again.
+// What the errors of a path's steps come to, and that a path which magnifies them is taken again.
 #include "photon/drift.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ Space hall(double tolerance) {
 
 struct Compared {
   int others = 0, far = 0, ended = 0;
-  int handed_over = 0;  ///< ways that the scalar engine took for lanes, from their start
+  int handed_over = 0;  ///< paths that the scalar engine took for lanes, from their start
 };
 
 Compared compared(Engine engine) {

@@ -9,14 +9,14 @@
 namespace portalens::test {
 namespace {
 
-constexpr std::size_t most_crossings = 6;
+constexpr std::size_t max_crossings = 6;
 
 /// What both engines tell of photons, held against straight light.
 class RoomCheck {
  public:
   RoomCheck(const FlatRoom& room, std::uint64_t seed)
       : room_(room),
-        space_(physics_with(1e-4), most_crossings, room.shapes, room.portals, {}),
+        space_(physics_with(1e-4), max_crossings, room.shapes, room.portals, {}),
         // Floats place nothing finer than this, and what is far away less so.
         blur_(2e-5 * room.size + 1e-9 * length(room.middle)),
         tracer_(room, blur_),
@@ -48,7 +48,7 @@ class RoomCheck {
     std::vector<std::optional<std::size_t>> next_left;
     int compared = 0;
     for (std::size_t i = 0; i < wave.size(); ++i) {
-      const auto met = tracer_.follow(wave[i].position, wave[i].direction, left[i], most_crossings);
+      const auto met = tracer_.follow(wave[i].position, wave[i].direction, left[i], max_crossings);
       if (!met) continue;
       ++compared;
       expect(scalar[i], *met, "scalar");
@@ -77,8 +77,8 @@ class RoomCheck {
     const Vec3d n = room_.walls[met.wall].normal;
     Photon photon = photon_at(arrival.position, met.direction - n * (2.0 * met.slope));
     const double side = dot(photon.direction, std::get<Quad>(room_.shapes[*met.shape]).normal());
-    photon.departure = {*met.shape, 0, side < 0.0 ? -1.0 : 1.0,
-                        departure_reach(length(photon.position) + room_.size, side)};
+    photon.guard = {*met.shape, 0, side < 0.0 ? -1.0 : 1.0,
+                    guard_reach(length(photon.position) + room_.size, side)};
     return photon;
   }
 

@@ -80,13 +80,13 @@ TEST(Flush, AMirrorShowsWhatItMirrorsAndNotItsWall) {
     for (const Arrival& arrival : arrivals) ASSERT_EQ(arrival.object, 0u);
     ShadeOutput output;
     shade(world.space, world.appearance, photons, arrivals, output);
-    ASSERT_EQ(output.offspring.size(), photons.size());
-    for (const Arrival& mirrored : arrivals_of(world.space, output.offspring, engine))
+    ASSERT_EQ(output.secondary.size(), photons.size());
+    for (const Arrival& mirrored : arrivals_of(world.space, output.secondary, engine))
       ASSERT_EQ(mirrored.fate, Fate::escaped);
   }
 }
 
-/// Whether the way of a photon leads through a quad.
+/// Whether the path of a photon leads through a quad.
 bool lies_before(const Quad& quad, const Photon& photon) {
   const auto v = quad.vertices();
   const double height = dot(v[0] - photon.position, quad.normal());

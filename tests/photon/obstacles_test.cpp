@@ -36,8 +36,8 @@ Photon mirrored(const Space& space, const Arrival& arrival) {
   const Vec3d n = space.surfaces.surface_at(arrival.object, arrival.face, arrival.position).normal;
   Photon photon =
       photon_at(arrival.position, arrival.direction - n * (2 * dot(n, arrival.direction)));
-  photon.departure = {arrival.object, arrival.face, dot(photon.direction, n) > 0 ? 1.0 : -1.0,
-                      1e-6 * (1.0 + length(arrival.position))};
+  photon.guard = {arrival.object, arrival.face, dot(photon.direction, n) > 0 ? 1.0 : -1.0,
+                  1e-6 * (1.0 + length(arrival.position))};
   return photon;
 }
 
@@ -62,7 +62,7 @@ TEST_P(ClosedRoom, KeepsEveryBentPathAndNeverMeetsAWallTwice) {
       const Vec3d d = arrival.position - center;
       const double outermost = std::fmax(std::fabs(d.x), std::fmax(std::fabs(d.y), std::fabs(d.z)));
       ASSERT_NEAR(outermost, half, 1e-9 + 1e-14 * std::fabs(GetParam()));
-      if (photon.departure.shape == arrival.object) {
+      if (photon.guard.shape == arrival.object) {
         ASSERT_GT(arrival.length, 1e-6 * half);
       }
       photon = mirrored(space, arrival);
@@ -160,10 +160,10 @@ TEST(Obstacles, ASmallSphereOnABentPathIsNotPassed) {
   Random random(6);
   for (int i = 0; i < scaled(500); ++i) {
     const Photon photon = photon_at({-30, random.uniform(4, 12), random.uniform(-2, 2)}, {1, 0, 0});
-    Journey journey;
-    const Arrival free = advance_recorded(bare, photon, journey);
+    PathTrace path_trace;
+    const Arrival free = advance_recorded(bare, photon, path_trace);
     ASSERT_EQ(free.fate, Fate::escaped);
-    const auto& way = journey.stretches[0];
+    const auto& way = path_trace.stretches[0];
     const Vec3d target = way[2 + random.bits() % (way.size() - 4)];
     const Space space = space_with(physics, masses, {Sphere(target, 1e-3)});
     EXPECT_EQ(advance_one(space, photon).fate, Fate::hit);
@@ -201,7 +201,7 @@ TEST(Portals, CrossingsBeyondTheLimitLoseThePhoton) {
 }
 
 TEST(Fates, APhotonThatTurnsWithoutEndIsTrapped) {
-  // Two masses without horizons hold light on a closed way between and around them; the paper's
+  // Two masses without horizons hold light on a closed path between and around them; the paper's
   // figure 14, right, and its open question.
   Physics physics = physics_with(1e-6);
   physics.max_turning = 25.132741228718345;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "photon/lane_plan.h"
+#include "lanes/plan.h"
 #include "support/random.h"
 #include "support/scale.h"
 #include "support/spaces.h"

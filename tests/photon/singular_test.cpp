@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "gravity/bound_light.h"
-#include "photon/lane_plan.h"
+#include "lanes/plan.h"
 #include "support/random.h"
 #include "support/scale.h"
 #include "support/spaces.h"

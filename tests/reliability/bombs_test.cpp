@@ -355,17 +355,17 @@ TEST(Bombs, OfManyThingsInOnePlaceAreHeldInBounds) {
   for (int i = 0; i < 6000; ++i)
     portals += "[[portal]]\nname = \"" + std::to_string(i) + "\"\npair = \"" +
                std::to_string(i ^ 1) + "\"\n" + place;
-  const std::vector<std::string> crowds = {
+  const std::vector<std::string> many_masses = {
       repeated("[[mass]]\ncenter = [0,0,0]\nmass = 1\n", 26'000),
       repeated("[[sphere]]\ncenter = [0,0,0]\nradius = 1\n", 26'000), portals};
-  for (const std::string& crowd : crowds) {
+  for (const std::string& many : many_masses) {
     const SceneFolder folder;
-    folder.write("scene.toml", crowd);
+    folder.write("scene.toml", many);
     const Outcome outcome =
         run_shell(folder.path(), "ulimit -v 4000000; timeout 60" +
                                      quoted({PORTALENS_PROGRAM, "check", "scene.toml"}));
-    EXPECT_EQ(outcome.code, 0) << crowd.substr(0, 40) << outcome.errors.substr(0, 500);
-    EXPECT_LT(outcome.output.size(), 4 * mega) << crowd.substr(0, 40);
+    EXPECT_EQ(outcome.code, 0) << many.substr(0, 40) << outcome.errors.substr(0, 500);
+    EXPECT_LT(outcome.output.size(), 4 * mega) << many.substr(0, 40);
   }
 }
 

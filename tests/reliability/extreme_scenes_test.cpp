@@ -20,7 +20,7 @@ using test::compiled;
 
 constexpr const char* film = "[film]\nwidth = 6\nheight = 4\n[sampler]\nsamples = 2\n";
 
-/// Against ways that go on and on where portals' reaches cover all.
+/// Against paths that go on and on where portals' reaches cover all.
 constexpr const char* few_steps = "[physics]\nmax_steps = 500\n";
 
 std::string camera(double scale) {
@@ -80,7 +80,7 @@ void expect_taken_or_refused(const std::string& scene) {
 }
 
 /// A mass, a pair of portals, a ball and a lamp, all lengths times `scale`: light takes the same
-/// ways, and as much of it.
+/// paths, and as much of it.
 std::string scaled_scene(double scale) {
   const double s = scale;
   std::string text = camera(s);

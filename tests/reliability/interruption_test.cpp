@@ -7,9 +7,9 @@
 #include <iostream>
 
 #include "io/image.h"
+#include "lanes/instruction_sets.h"
 #include "math/random.h"
-#include "photon/lane_engines.h"
-#include "render/piece.h"
+#include "render/partial.h"
 #include "support/busy_scene.h"
 #include "support/child.h"
 #include "support/run_program.h"
@@ -101,7 +101,7 @@ TEST_F(Interruption, AKillAtAnyMomentLeavesWholeFilesAndTheSameBitsComeOfThem) {
     EXPECT_TRUE(picture == "the old picture" || picture == whole) << "trial " << trial;
     if (has_checkpoint()) {
       ++resumed;
-      EXPECT_NO_THROW((void)PieceFile(folder_.path() / "a.exr.checkpoint").exposure());
+      EXPECT_NO_THROW((void)PartialFile(folder_.path() / "a.exr.checkpoint").exposure());
     }
     expect_the_rest(1 + (trial + 1) % 3);
   }

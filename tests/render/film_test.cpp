@@ -1,5 +1,5 @@
 /// \file
-/// Tiles cover a window once, and the plate keeps what was set.
+/// Tiles cover a window once, and the framebuffer keeps what was set.
 #include "render/film.h"
 
 #include <gtest/gtest.h>
@@ -28,19 +28,19 @@ TEST(Tiling, TilesCoverEveryPixelOnce) {
     }
 }
 
-TEST(Plate, KeepsEachPixelAtItsPlaceInTheWindow) {
+TEST(Framebuffer, KeepsEachPixelAtItsPlaceInTheWindow) {
   Assignment assignment;
   assignment.film = {0, 0, 100, 100};
   assignment.window = {10, 20, 13, 22};
   assignment.range = {0, 1};
-  Plate plate(assignment);
+  Framebuffer framebuffer(assignment);
   for (int y = 20; y < 22; ++y)
     for (int x = 10; x < 13; ++x) {
       SampleSum sum;
       sum.add({1.0 * x, 1.0 * y, 0.5});
-      plate.set(x, y, sum);
+      framebuffer.set(x, y, sum);
     }
-  const Image& image = plate.image();
+  const Image& image = framebuffer.image();
   ASSERT_EQ(image.width, 3);
   ASSERT_EQ(image.height, 2);
   EXPECT_EQ(image.at(2, 1)[0], 12.0f);

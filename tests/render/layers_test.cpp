@@ -30,16 +30,16 @@ mass = 1000
 
 struct Followed {
   Arrival arrival;
-  Sight sight;
+  FirstHit sight;
 };
 
 Followed followed(const World& world, Vec3d position, Vec3d direction) {
   Photon photon;
   photon.position = position;
   photon.direction = normalize(direction);
-  Journey journey;
-  const Arrival arrival = advance_recorded(world.space, photon, journey);
-  return {arrival, sight_of(world, arrival, journey)};
+  PathTrace path_trace;
+  const Arrival arrival = advance_recorded(world.space, photon, path_trace);
+  return {arrival, first_hit_of(world, arrival, path_trace)};
 }
 
 TEST(ImageOrder, IsOneWhereTheWallIsSeenPastTheOtherSideOfTheHole) {
@@ -69,7 +69,7 @@ portal = [{ name = "a", pair = "b", vertices = [[-1, -1, -3], [1, -1, -3], [1, 1
   EXPECT_EQ(sight.order, 0u);
 }
 
-TEST(Sight, TellsTheFirstSurface) {
+TEST(FirstHit, TellsTheFirstSurface) {
   const World world = test::compiled(R"(camera = { position = [0, 0, 5], look_at = [0, 0, 0] }
 material = [{ name = "red", diffuse = [0.5, 0.25, 0.125] }]
 sphere = [{ name = "ball", center = [0, 0, -4], radius = 1, material = "red" }]
@@ -77,7 +77,7 @@ portal = [{ name = "a", pair = "b", tint = [0, 1, 0], back = "red", vertices = [
               [9, -1, -3], [11, -1, -3], [11, 1, -3], [9, 1, -3]] },
           { name = "b", pair = "a", vertices = [[-1, -1, 8], [1, -1, 8], [1, 1, 8], [-1, 1, 8]] }]
 )");
-  const Sight ball = followed(world, {0, 0, 0}, {0, 0, -1}).sight;
+  const FirstHit ball = followed(world, {0, 0, 0}, {0, 0, -1}).sight;
   EXPECT_EQ(ball.depth, 3.0);
   EXPECT_EQ(ball.normal, (Vec3d{0, 0, 1}));
   EXPECT_EQ(ball.albedo, (Rgb{0.5, 0.25, 0.125}));
@@ -85,11 +85,11 @@ portal = [{ name = "a", pair = "b", tint = [0, 1, 0], back = "red", vertices = [
   EXPECT_EQ(object_names(world)[ball.object - 1], "ball");
   EXPECT_EQ(ball.position, (Vec3d{0, 0, -3}));
 
-  const Sight back = followed(world, {10, 0, -9}, {0, 0, 1}).sight;
+  const FirstHit back = followed(world, {10, 0, -9}, {0, 0, 1}).sight;
   EXPECT_EQ(object_names(world)[back.object - 1], "a");
   EXPECT_EQ(back.normal, (Vec3d{0, 0, -1}));
 
-  const Sight sky = followed(world, {0, 0, 0}, {0, 1, 0}).sight;
+  const FirstHit sky = followed(world, {0, 0, 0}, {0, 1, 0}).sight;
   EXPECT_EQ(sky.depth, no_depth);
   EXPECT_EQ(sky.object, 0u);
   EXPECT_EQ(sky.fate, Fate::escaped);

@@ -60,7 +60,7 @@ TEST(Render, EveryPhotonIsCountedUnderOneFate) {
   const World world = world_of(test::busy_scene);
   const Tally tally = taken(world, 2, 32).tally;
   EXPECT_EQ(tally.samples, 53u * 29 * 3);
-  EXPECT_GT(tally.photons, tally.samples) << "mirrors have offspring";
+  EXPECT_GT(tally.photons, tally.samples) << "mirrors send secondary photons";
   std::uint64_t sum = 0;
   for (const std::uint64_t count : tally.fates) sum += count;
   EXPECT_EQ(sum, tally.photons);

@@ -126,7 +126,7 @@ TEST(Shade, TheSkyTheDarkAndTheLostHaveTheirColours) {
   EXPECT_EQ(light_from(space, shade_one(space, look, lost, 1, photon)), (Rgb{0.5, 0, 0.5}));
   for (const Fate fate : {Fate::absorbed, Fate::trapped}) {
     const ShadeOutput output = shade_one(space, look, fate_of(fate));
-    EXPECT_TRUE(output.light.empty() && output.offspring.empty() && output.shadows.empty());
+    EXPECT_TRUE(output.light.empty() && output.secondary.empty() && output.shadows.empty());
   }
 }
 
@@ -144,8 +144,8 @@ TEST(Shade, AMirrorSendsItsShareOnUpToTheLimit) {
   Arrival arrival = hit_at({1, 0, 1}, {1, -1, 0});
   arrival.tint = {0.5, 1, 1};
   const ShadeOutput output = shade_one(space, look, arrival, 99, photon);
-  ASSERT_EQ(output.offspring.size(), 1u);
-  const Photon& next = output.offspring[0];
+  ASSERT_EQ(output.secondary.size(), 1u);
+  const Photon& next = output.secondary[0];
   EXPECT_LT(length(next.direction - normalize(Vec3d{1, 1, 0})), 1e-15);
   EXPECT_LT(length(next.throughput - Rgb{0.45, 0.25, 0.1}), 1e-15);
   EXPECT_EQ(next.position, arrival.position);
@@ -153,10 +153,10 @@ TEST(Shade, AMirrorSendsItsShareOnUpToTheLimit) {
   EXPECT_EQ(next.slot, 3u);
   EXPECT_EQ(next.bounces, 2u);
   EXPECT_NE(next.random_key, 99u);
-  EXPECT_EQ(next.departure.shape, 0u);
-  EXPECT_EQ(next.departure.side, 1.0);
-  EXPECT_GT(next.departure.reach, 0.0);
-  EXPECT_TRUE(shade_one(space, look, arrival, 99, next).offspring.empty());
+  EXPECT_EQ(next.guard.shape, 0u);
+  EXPECT_EQ(next.guard.side, 1.0);
+  EXPECT_GT(next.guard.reach, 0.0);
+  EXPECT_TRUE(shade_one(space, look, arrival, 99, next).secondary.empty());
 }
 
 TEST(Shade, WhatIsBlackIsNotSentOn) {
@@ -164,7 +164,7 @@ TEST(Shade, WhatIsBlackIsNotSentOn) {
   const Appearance look =
       appearance_with({diffuse_material({0, 0, 0})}, {point_light({0, 1, 0}, {1, 1, 1})});
   const ShadeOutput output = shade_one(space, look, hit_at({0, 0, 0}, {0, -1, 0}));
-  EXPECT_TRUE(output.light.empty() && output.offspring.empty() && output.shadows.empty());
+  EXPECT_TRUE(output.light.empty() && output.secondary.empty() && output.shadows.empty());
 }
 
 TEST(Shade, APhotonsLightDoesNotDependOnItsCompany) {
@@ -190,10 +190,10 @@ TEST(Shade, APhotonsLightDoesNotDependOnItsCompany) {
     EXPECT_EQ(together.shadows[i].contribution, apart.shadows[i].contribution);
     EXPECT_EQ(together.shadows[i].to, apart.shadows[i].to);
   }
-  ASSERT_EQ(together.offspring.size(), apart.offspring.size());
-  for (std::size_t i = 0; i < apart.offspring.size(); ++i)
-    EXPECT_EQ(together.offspring[i].direction, apart.offspring[i].direction);
-  EXPECT_LE(together.shadows.size(), 5 * most_shadow_queries(space, look));
+  ASSERT_EQ(together.secondary.size(), apart.secondary.size());
+  for (std::size_t i = 0; i < apart.secondary.size(); ++i)
+    EXPECT_EQ(together.secondary[i].direction, apart.secondary[i].direction);
+  EXPECT_LE(together.shadows.size(), 5 * max_shadow_queries(space, look));
 }
 
 TEST(Shade, RandomNumbersAreUsedOnlyWhereItIsSaid) {
@@ -208,7 +208,7 @@ TEST(Shade, RandomNumbersAreUsedOnlyWhereItIsSaid) {
     const ShadeOutput a = shade_one(space, look, arrival, 1),
                       b = shade_one(space, look, arrival, 2);
     const auto direction = [](const ShadeOutput& output) {
-      return output.offspring.empty() ? Vec3d{} : output.offspring[0].direction;
+      return output.secondary.empty() ? Vec3d{} : output.secondary[0].direction;
     };
     return a.shadows.at(0).to != b.shadows.at(0).to || direction(a) != direction(b);
   };
@@ -228,7 +228,7 @@ TEST(Shade, ARoughFurnaceGivesBackLessThanItGets) {
     const Appearance look = appearance_with({material}, {});
     const auto share = test::estimate(test::scaled(2000), [&](std::uint64_t key) {
       const auto output = shade_one(space, look, hit_at({0, 0, 0}, {1, -0.5, 0}), key);
-      return output.offspring.empty() ? 0.0 : output.offspring[0].throughput.x;
+      return output.secondary.empty() ? 0.0 : output.secondary[0].throughput.x;
     });
     EXPECT_LE(share.mean, 1.0);
     EXPECT_GT(share.mean, 0.4);

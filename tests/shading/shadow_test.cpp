@@ -58,7 +58,7 @@ TEST(Shadow, ASurfaceDoesNotHideItselfFromTheSideOnWhichTheRayLeaves) {
     const double cosine = dot(n, to);
     if (std::fabs(cosine) < 1e-3) continue;
     ShadowQuery query = between(Vec3d{100, 0, 0} + n, Vec3d{100, 0, 0} + n + to * 5.0);
-    query.departure = {0, 0, cosine > 0 ? 1.0 : -1.0, 1e-4};
+    query.guard = {0, 0, cosine > 0 ? 1.0 : -1.0, 1e-4};
     EXPECT_EQ(visible(space, query), cosine > 0);
   }
 }
@@ -141,7 +141,7 @@ TEST(Shadow, AWallInThePlaneOfAPortalDoesNotCloseIt) {
   EXPECT_FALSE(visible(space, query));
 }
 
-/// The whole way: shade asks, visible answers, and the light is that of the unfolded scene times
+/// The whole path: shade asks, visible answers, and the light is that of the unfolded scene times
 /// the tint.
 TEST(Shadow, LightThroughAPortalIsThatOfItsImageTimesTheTint) {
   std::vector<Portal> portals = window_pair();
@@ -195,11 +195,11 @@ TEST(Shadow, AMaterialBackIsShadedFromBehindAndShinesThere) {
   EXPECT_NEAR(test::light_from(space, output).x, expected, 1e-6);
   EXPECT_NEAR(test::light_from(space, output).z, expected + 1, 1e-6);
   // Its mirrored photon leaves to where it came from, and does not fall through the front.
-  ASSERT_EQ(output.offspring.size(), 1u);
-  const Photon& next = output.offspring[0];
+  ASSERT_EQ(output.secondary.size(), 1u);
+  const Photon& next = output.secondary[0];
   EXPECT_LT(next.direction.z, 0.0);
   EXPECT_FALSE(space.portals.nearest({next.position, next.direction}, 0.0, 10.0,
-                                     space.surfaces.flush().left_by(next.departure)));
+                                     space.surfaces.flush().left_by(next.guard)));
 }
 
 }  // namespace

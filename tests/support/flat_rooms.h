@@ -62,7 +62,7 @@ class PlainTracer {
   /// None where it comes too close to an edge, or grazes.
   /// @param left  the wall that it starts on, or none
   [[nodiscard]] std::optional<Met> follow(Vec3d from, Vec3d way, std::optional<std::size_t> left,
-                                          std::size_t most_crossings) const {
+                                          std::size_t max_crossings) const {
     Met met;
     while (true) {
       const auto found = first(from, way, left);
@@ -76,7 +76,7 @@ class PlainTracer {
         met.shape = found->thing->index;
         return met;
       }
-      if (met.crossed.size() == most_crossings) {
+      if (met.crossed.size() == max_crossings) {
         met.lost = true;
         return met;
       }

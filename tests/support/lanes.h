@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "photon/engine_lanes.h"
-#include "photon/lane_engines.h"
+#include "lanes/driver.h"
+#include "lanes/instruction_sets.h"
 #include "photon/space.h"
 
 namespace portalens::test {

@@ -54,10 +54,10 @@ inline ShadeOutput shade_one(const Space& space, const Appearance& look, const A
   return output;
 }
 
-/// Everything but what offspring would bring.
+/// Everything but what secondary photons would bring.
 inline Rgb light_from(const Space& space, const ShadeOutput& output) {
   Rgb sum;
-  for (const Gleam& gleam : output.light) sum += gleam.radiance;
+  for (const Contribution& contribution : output.light) sum += contribution.radiance;
   for (const ShadowQuery& query : output.shadows)
     if (visible(space, query)) sum += query.contribution;
   return sum;

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "photon/engine.h"
+#include "lanes/engine.h"
 
 namespace portalens::test {
 

@@ -1,0 +1,418 @@
+#include "lanes/driver.h"
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "lanes/border.h"
+#include "lanes/log.h"
+#include "photon/advance.h"
+#include "photon/radau.h"
+#include "photon/space.h"
+#include "photon/vicinity.h"
+
+namespace portalens {
+namespace {
+
+/// Keeps the lanes full until no photon is left.
+template <class C>
+class LaneDriver {
+ public:
+  LaneDriver(const Space& space, const LanePlan& plan, LaneStep step, const C& coupling,
+             std::span<const Photon> photons, std::span<Arrival> arrivals,
+             std::span<PathRecord> records)
+      : space_(space),
+        plan_(plan),
+        step_(step),
+        integrator_(Radau::from({space.physics.step, space.physics.tolerance})),
+        scalar_(space, integrator_, coupling),
+        vicinity_(space.mass_tree),
+        obstacles_(space.surfaces, space.portals),
+        has_flush_(space.surfaces.flush().any_shapes()),
+        photons_(photons),
+        arrivals_(arrivals),
+        records_(records),
+        log_(plan.center),
+        shapes_(space.surfaces.shapes()) {}
+
+  void run() {
+    for (int lane = 0; lane < lane_count; ++lane) refill(lane);
+    while (in_flight_ > 0) {
+      std::uint32_t events = step_(plan_.scene, lanes_);
+      // Only where the step was not taken can a lane still be as it was put there.
+      const std::uint32_t was_fresh = std::exchange(fresh_, 0);
+      if (!records_.empty()) note_step(events);
+      for (; events != 0; events &= events - 1) {
+        const int lane = std::countr_zero(events);
+        const auto event = static_cast<LaneEvent>(static_cast<int>(lanes_.event[lane]));
+        if (event == LaneEvent::cross) {
+          if (is_told(lane)) note_passage(lane);
+          continue;
+        }
+        const bool stayed = event == LaneEvent::escape || event == LaneEvent::consult;
+        handle(lane, event, stayed && (was_fresh >> lane & 1) != 0);
+      }
+    }
+  }
+
+ private:
+  /// @param fresh  the lane is as it was put there
+  void handle(int lane, LaneEvent event, bool fresh) {
+    // -1 where nothing is met: a float below 0 is no unsigned number.
+    const auto object = static_cast<std::uint32_t>(static_cast<int>(lanes_.object[lane]));
+    Arrival& arrival = arrivals_[photon_[lane]];
+    const bool whole = (whole_ >> lane & 1) != 0;
+    if (whole) arrival = Arrival{};
+    const double begun = arrival.length;
+    State state = fresh ? put_state(lane) : state_of(lane);
+    const double length = fresh ? begun : lanes_.length[lane];
+    if (!fresh) {
+      arrival.length = length;
+      arrival.turning = lanes_.turning[lane];
+      arrival.steps = static_cast<std::uint32_t>(lanes_.steps[lane]);
+    }
+    if (event == LaneEvent::resign) {
+      resign(lane);
+      return;
+    }
+    if (event != LaneEvent::escape && event != LaneEvent::hit) {
+      consult(lane, event, object, state, begun);
+      return;
+    }
+    if (!is_number(lane)) {
+      arrival.fate = Fate::lost;
+    } else if (event == LaneEvent::hit) {
+      const double rest = distance_to_surface(object, {state.position, state.direction}, length);
+      state.position += state.direction * rest;
+      arrival.length = length + rest;
+      Encounter seen{0.0, Encounter::Kind::surface, object, 0};
+      if (has_flush_) {
+        seen = seen_at(object, state);
+        if (seen.kind != Encounter::Kind::surface) {
+          consult(lane, LaneEvent::portal, seen.object, state, begun);
+          return;
+        }
+      }
+      arrival.fate = Fate::hit;
+      arrival.met = Met::surface;
+      arrival.object = seen.object;
+      arrival.face = seen.face;
+    } else {
+      arrival.fate = Fate::escaped;
+    }
+    arrival.position = state.position;
+    arrival.direction = state.direction;
+    end(lane);
+  }
+
+  /// Asked of the floats: their sum is no number where one of them is none.
+  [[nodiscard]] bool is_number(int lane) const {
+    return std::isfinite(lanes_.x[lane] + lanes_.y[lane] + lanes_.z[lane] + lanes_.tx[lane] +
+                         lanes_.ty[lane] + lanes_.tz[lane]);
+  }
+
+  /// Lets the scalar engine see to what lanes don't. Never inlined: it is seldom, and large.
+  [[gnu::noinline]] void consult(int lane, LaneEvent event, std::uint32_t object,
+                                 const State& state, double begun) {
+    Arrival& arrival = arrivals_[photon_[lane]];
+    const bool whole = (whole_ >> lane & 1) != 0;
+    if (event == LaneEvent::portal) object = portal_at(object, state);
+    const PathStart start = whole ? PathStart{photons_[photon_[lane]].guard} : starts_[lane];
+    const Drift<double> drift{lanes_.astray[lane], lanes_.askew[lane]};
+    const RayState way{state, start.after(arrival.length - begun), arrival, drift};
+    if (is_told(lane) && event == LaneEvent::horizon && LanePlan::is_isolated(object))
+      note_passage(lane);
+    if (is_told(lane)) note_place(lane, state);
+    scalar_.resume(way);
+    bool arrived = event == LaneEvent::portal    ? meet_portal(way, object)
+                   : event == LaneEvent::horizon ? scalar_.absorb(plan_.mass_of(object))
+                                                 : scalar_.one_step();
+    if (!arrived && scalar_.way().arrival.crossings != arrival.crossings)
+      arrived = swallowed_at(scalar_.way().state.position);
+    const std::uint32_t handed_over =
+        arrival.handed_over + scalar_.way().arrival.steps - arrival.steps;
+    if (arrived || scalar_.gives_up()) {
+      arrival = scalar_.way().arrived();
+      arrival.handed_over = handed_over;
+      end(lane);
+    } else {
+      if (is_told(lane) && scalar_.way().arrival.crossings != arrival.crossings) {
+        PathRecord& told = records_[photon_[lane]];
+        event == LaneEvent::portal ? told.cross(object) : told.lose_track();
+      }
+      arrival = scalar_.way().arrival;
+      arrival.handed_over = handed_over;
+      if (is_told(lane)) note_place(lane, scalar_.way().state);
+      put_back(lane, scalar_.way(), scalar_.free_length());
+    }
+  }
+
+  /// Takes a photon from its start again: where it drifted, more strictly; where that does not
+  /// help, by the scalar engine.
+  [[gnu::noinline]] void resign(int lane) {
+    const bool drifts = lanes_.askew[lane] > lanes_.max_drift[lane];
+    if (drifts && strictness_[lane] < max_lane_strictness) {
+      begin(lane, strictness_[lane] + 1);
+      return;
+    }
+    if (is_told(lane)) records_[photon_[lane]].lose_track();
+    Arrival& arrival = arrivals_[photon_[lane]];
+    const Photon& photon = photons_[photon_[lane]];
+    arrival = drifts ? scalar_.advance_finer(photon, nullptr, std::nullopt)
+                     : scalar_.advance(photon, nullptr);
+    arrival.handed_over = arrival.steps;
+    end(lane);
+  }
+
+  /// Whether a portal led into a horizon: lanes look for those that a path comes to, not for one
+  /// about its start.
+  [[nodiscard]] bool swallowed_at(Vec3d x) {
+    vicinity_.cover(x, 0.0);
+    const auto mass = horizon_around(space_.masses, vicinity_.near(), x);
+    return mass && scalar_.absorb(*mass);
+  }
+
+  /// Whether anybody asks for the path of its photon.
+  [[nodiscard]] bool is_told(int lane) const { return photon_[lane] < records_.size(); }
+
+  /// Its way through the influence of an isolated mass, which it has just left or ended in.
+  void note_passage(int lane) {
+    const auto object = static_cast<std::uint32_t>(lanes_.object[lane]);
+    const IsolatedMass& isolated = plan_.isolated.masses[object - first_isolated_object];
+    PathRecord& record = records_[photon_[lane]];
+    note_crossing(space_.masses[isolated.mass], plan_.isolated.tables[isolated.table],
+                  state_of(lane), lanes_.length[lane], lanes_.turning[lane], record);
+  }
+
+  /// Where lane `lane` is, at the length that its arrival tells.
+  void note_place(int lane, const State& state) {
+    const Arrival& arrival = arrivals_[photon_[lane]];
+    records_[photon_[lane]].pass(state.position, arrival.length, arrival.turning);
+  }
+
+  /// Where the lanes are that a step has moved. How it was for those with an event, is told
+  /// elsewhere.
+  void note_step(std::uint32_t events) {
+    log_.note(lanes_);
+    for (; events != 0; events &= events - 1) {
+      const int lane = std::countr_zero(events);
+      if (is_told(lane)) log_.tell(lane, records_[photon_[lane]], 1);
+    }
+    if (!log_.full()) return;
+    for (int lane = 0; lane < lane_count; ++lane)
+      if (lanes_.live[lane] > 0.0f && is_told(lane)) log_.tell(lane, records_[photon_[lane]], 0);
+    log_.clear();
+  }
+
+  /// Notes where the path ends; one to the sky, as far as there is anything.
+  void note_end(const Arrival& arrival, PathRecord& way) const {
+    way.pass(arrival.position, arrival.length, arrival.turning);
+    if (arrival.fate != Fate::escaped) return;
+    const double rest = length(arrival.position - plan_.center) + plan_.scene.radius;
+    way.pass(arrival.position + arrival.direction * rest, arrival.length + rest, arrival.turning);
+  }
+
+  void end(int lane) {
+    if (is_told(lane)) note_end(arrivals_[photon_[lane]], records_[photon_[lane]]);
+    --in_flight_;
+    refill(lane);
+  }
+
+  /// How far a hit that was found in float is from its surface in double, along its path; 0 if that
+  /// is more than a float's rounding explains.
+  [[nodiscard]] double distance_to_surface(std::uint32_t object, const Ray& ray,
+                                           double length) const {
+    const double reach = 1e-3 * (1e-3 * space_.extent + length);
+    double distance = 2.0 * reach;
+    if (const auto* quad = std::get_if<Quad>(&shapes_[object]))
+      distance = quad->distance_of_plane(ray);
+    else if (const auto contact = space_.surfaces.contact_near(object, 0, ray, reach))
+      distance = contact->distance;
+    return std::fabs(distance) <= reach ? distance : 0.0;
+  }
+
+  /// What is met where the path comes to that surface: it, or what lies in its plane.
+  [[nodiscard, gnu::noinline]] Encounter seen_at(std::uint32_t object, const State& state) const {
+    const Ray ray{state.position, state.direction};
+    return obstacles_.uppermost(space_.surfaces.uppermost({object, 0, 0.0}, ray), ray);
+  }
+
+  [[nodiscard]] bool meet_portal(const RayState& way, std::uint32_t index) {
+    const Portal& portal = space_.portals.portals()[index];
+    RayState there = way;
+    // Onto the plane, along the path.
+    const double slope = dot(way.state.direction, portal.frame.normal);
+    const double height = dot(way.state.position - portal.frame.origin, portal.frame.normal);
+    if (std::fabs(slope) > 1e-6)
+      there.state.position = way.state.position - way.state.direction * (height / slope);
+    scalar_.resume(there);
+    return scalar_.encounter(obstacles_.at_portal(index, side_met(portal, way.state), 0.0));
+  }
+
+  [[nodiscard]] static PortalSide side_met(const Portal& portal, const State& state) {
+    return dot(state.direction, portal.frame.normal) < 0.0 ? PortalSide::front : PortalSide::back;
+  }
+
+  /// The portal that is met where the path comes to that one: it, or another in its plane.
+  [[nodiscard]] std::uint32_t portal_at(std::uint32_t index, const State& state) const {
+    const PortalSide side = side_met(space_.portals.portals()[index], state);
+    return space_.portals.uppermost({index, side, 0.0}, {state.position, state.direction}).portal;
+  }
+
+  /// Where the lane's photon was put.
+  [[nodiscard]] State put_state(int lane) const {
+    if ((whole_ >> lane & 1) == 0) return states_[lane];
+    const Photon& photon = photons_[photon_[lane]];
+    return {photon.position, photon.direction};
+  }
+
+  [[nodiscard]] State state_of(int lane) const {
+    const Vec3d t{lanes_.tx[lane], lanes_.ty[lane], lanes_.tz[lane]};
+    // Of length 1 but for a float's rounding: one step of Newton's method leaves nothing of that.
+    return {plan_.center + Vec3d{lanes_.x[lane], lanes_.y[lane], lanes_.z[lane]},
+            t * (1.5 - 0.5 * dot(t, t))};
+  }
+
+  /// @param clear  nothing is met within that much path
+  void put(int lane, const State& state, const SelfIntersectionGuard& guard, double clear) {
+    fresh_ |= std::uint32_t{1} << lane;
+    const Vec3d x = state.position - plan_.center;
+    lanes_.x[lane] = static_cast<float>(x.x);
+    lanes_.y[lane] = static_cast<float>(x.y);
+    lanes_.z[lane] = static_cast<float>(x.z);
+    lanes_.tx[lane] = static_cast<float>(state.direction.x);
+    lanes_.ty[lane] = static_cast<float>(state.direction.y);
+    lanes_.tz[lane] = static_cast<float>(state.direction.z);
+    lanes_.departed[lane] = -1.0f;
+    lanes_.departed_side[lane] = static_cast<float>(guard.side);
+    if (guard.shape != no_object) {
+      lanes_.departed[lane] = static_cast<float>(guard.shape);
+      const LeftPlane left = space_.surfaces.flush().left_by(guard);
+      if (left.plane != LeftPlane::none) {
+        lanes_.departed[lane] = LanePlan::departed_from(left.plane);
+        lanes_.departed_side[lane] = static_cast<float>(left.side);
+      }
+    }
+    lanes_.clear[lane] = static_cast<float>(clear);
+    lanes_.longest[lane] = never;
+    lanes_.live[lane] = 1.0f;
+  }
+
+  /// The lane's photon goes on from there; how far it has come, its arrival tells.
+  void put_back(int lane, const RayState& way, double clear) {
+    whole_ &= ~(std::uint32_t{1} << lane);
+    states_[lane] = way.state;
+    starts_[lane] = way.start;
+    put(lane, way.state, way.start.guard, clear);
+    lanes_.length[lane] = static_cast<float>(way.arrival.length);
+    lanes_.turning[lane] = static_cast<float>(way.arrival.turning);
+    lanes_.steps[lane] = static_cast<float>(way.arrival.steps);
+    lanes_.astray[lane] = static_cast<float>(way.drift.place);
+    lanes_.askew[lane] = static_cast<float>(way.drift.direction);
+  }
+
+  void rest(int lane) {
+    lanes_.x[lane] = lanes_.y[lane] = lanes_.z[lane] = static_cast<float>(space_.extent);
+    lanes_.tx[lane] = 1.0f;
+    lanes_.ty[lane] = lanes_.tz[lane] = 0.0f;
+    lanes_.length[lane] = lanes_.turning[lane] = lanes_.steps[lane] = 0.0f;
+    lanes_.departed[lane] = -1.0f;
+    lanes_.departed_side[lane] = 1.0f;
+    lanes_.clear[lane] = 0.0f;
+    lanes_.longest[lane] = never;
+    lanes_.astray[lane] = lanes_.askew[lane] = 0.0f;
+    lanes_.judged[lane] = lanes_.shorter[lane] = 1.0f;
+    lanes_.max_drift[lane] = plan_.scene.max_drift;
+    lanes_.live[lane] = 0.0f;
+  }
+
+  /// Puts its photon at its start.
+  /// @param strictness  which `lane_strictness`
+  void begin(int lane, int strictness) {
+    const std::size_t index = photon_[lane];
+    const Photon& photon = photons_[index];
+    whole_ |= std::uint32_t{1} << lane;
+    put(lane, {photon.position, photon.direction}, photon.guard, 0.0);
+    lanes_.length[lane] = lanes_.turning[lane] = lanes_.steps[lane] = 0.0f;
+    lanes_.astray[lane] = lanes_.askew[lane] = 0.0f;
+    strictness_[lane] = strictness;
+    lanes_.judged[lane] = lane_strictness[strictness].judged;
+    lanes_.max_drift[lane] = plan_.scene.max_drift * lane_strictness[strictness].drifts;
+    lanes_.shorter[lane] = lane_strictness[strictness].shorter;
+    if (!is_told(lane)) return;
+    records_[index].restart();
+    records_[index].pass(photon.position, 0.0, 0.0);
+  }
+
+  void refill(int lane) {
+    while (next_ < photons_.size()) {
+      const std::size_t index = next_++;
+      const Photon& photon = photons_[index];
+      if (!can_begin(photon)) {  // it ends at once
+        scalar_.resume(RayState::of(photon));
+        scalar_.one_step();
+        arrivals_[index] = scalar_.way().arrived();
+        continue;
+      }
+      photon_[lane] = index;
+      begin(lane, 0);
+      ++in_flight_;
+      return;
+    }
+    rest(lane);
+  }
+
+  /// Most photons of a batch begin where the one before did.
+  [[nodiscard]] bool can_begin(const Photon& photon) {
+    const Vec3d &x = photon.position, &t = photon.direction;
+    if (!std::isfinite(t.x + t.y + t.z)) return false;
+    if (begun_ && *begun_ == x) return true;
+    if (!is_finite(x)) return false;
+    vicinity_.cover(x, 0.0);
+    if (horizon_around(space_.masses, vicinity_.near(), x)) return false;
+    begun_ = x;
+    return true;
+  }
+
+  const Space& space_;
+  const LanePlan& plan_;
+  LaneStep step_;
+  Radau integrator_;
+  Tracer<Radau, C> scalar_;
+  Vicinity vicinity_;  ///< of where photons begin, and where portals lead
+  Obstacles obstacles_;
+  bool has_flush_;  ///< some surface lies in the plane of something else
+  std::span<const Photon> photons_;
+  std::span<Arrival> arrivals_;
+  std::span<PathRecord> records_;  ///< of the first photons
+  LaneLog log_;                    ///< of what is not in the path records yet
+  std::span<const Shape> shapes_;
+  std::optional<Vec3d> begun_;  ///< the last place from which a photon could begin
+  Lanes lanes_;
+  // Where they were put, in double; of those whose whole path is in lanes, the photon tells.
+  std::array<State, lane_count> states_;
+  std::array<PathStart, lane_count> starts_;
+  std::array<std::size_t, lane_count> photon_{};
+  std::array<int, lane_count> strictness_{};  ///< which `lane_strictness`
+  std::uint32_t whole_ = 0;  ///< lanes whose photon's path is theirs from its start, a bit each
+  std::uint32_t fresh_ = 0;  ///< lanes that have not moved since they were filled, a bit each
+  std::size_t next_ = 0;
+  int in_flight_ = 0;
+};
+
+}  // namespace
+
+void advance_in_lanes(const Space& space, const LanePlan& plan, LaneStep step,
+                      std::span<const Photon> photons, std::span<Arrival> arrivals,
+                      std::span<PathRecord> records) {
+  std::visit(
+      [&](const auto& coupling) {
+        LaneDriver(space, plan, step, coupling, photons, arrivals, records).run();
+      },
+      space.coupling);
+}
+
+}  // namespace portalens

@@ -1,0 +1,26 @@
+/// \file
+/// The lanes' step for each instruction set, and the choice among them.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "lanes/scene.h"
+
+namespace portalens {
+
+std::uint32_t step_lanes_sse4(const LaneScene& scene, Lanes& lanes);
+std::uint32_t step_lanes_avx2(const LaneScene& scene, Lanes& lanes);
+std::uint32_t step_lanes_avx512(const LaneScene& scene, Lanes& lanes);
+
+struct LaneEngine {
+  std::string_view name;
+  LaneStep step;  ///< null where the processor has no such instructions
+};
+
+/// The widest that the processor has, or the one that PORTALENS_ISA names (sse4, avx2, avx512).
+[[nodiscard]] LaneEngine lane_engine();
+/// The one with that name; `step` is null if there is none or the processor lacks it.
+[[nodiscard]] LaneEngine lane_engine(std::string_view name);
+
+}  // namespace portalens

@@ -1,0 +1,276 @@
+/// \file
+/// A scene as the lanes see it: plain floats about the scene's centre, nothing that allocates.
+///
+/// Engine files of several instruction sets share these types, so they have no functions that a
+/// compiler could emit in more than one of them.
+#pragma once
+
+#include <cstdint>
+
+#include "gravity/crossing_formulas.h"
+
+namespace portalens {
+
+struct LaneVec {
+  float x, y, z;
+};
+
+/// A mass, or a portal that acts as one.
+struct LaneMass {
+  LaneVec center;
+  float gm;  ///< G M / c², length
+  float core2;
+  float influence;
+  float influence2;
+  float horizon;  ///< r_s, or -1 without a horizon
+  float horizon2;
+  /// Nearer than the square root of that light winds ever closer round a mass that has no horizon,
+  /// and soon closer than floats can follow.
+  float bare2;
+};
+
+/// Paths of more steps are left to the scalar engine: light winds there closer than floats can
+/// follow.
+inline constexpr int max_lane_steps = 512;
+/// How strictly the steps of a path are judged: they may err by so much less, and are shorter from
+/// the start by the seventh root of that. A path that drifts is taken again more strictly. Of the
+/// strictest steps nearly all drift is rounding, which has either sign: it may be some times more.
+struct LaneStrictness {
+  float judged, shorter, drifts;
+};
+inline constexpr LaneStrictness lane_strictness[] = {
+    {1.0f, 1.0f, 1.0f}, {30.0f, 0.615f, 1.0f}, {900.0f, 0.378f, 4.0f}};
+inline constexpr int max_lane_strictness = 2;
+inline constexpr int lane_count = 32;  ///< as many as `LaneStep` has bits
+
+inline constexpr int max_lane_masses = 8;
+/// Those that are crossed by table, besides.
+inline constexpr int max_lane_isolated_masses = 128;
+inline constexpr int max_lane_gates = 20;
+inline constexpr int max_lane_portals = 8;
+/// Of a portal.
+inline constexpr int max_lane_edges = 8;
+inline constexpr int max_lane_polygons = 48;
+inline constexpr int max_lane_spheres = 24;
+inline constexpr int max_lane_boxes = 24;
+
+inline constexpr int max_lane_many = 65536;
+/// Of many masses, those that act on any lane of a pack.
+inline constexpr int max_lane_near = 2048;
+/// Larger sets of many masses leave to the scalar engine the lanes on which more than that act.
+inline constexpr int max_lane_own = 63;
+
+/// More masses than `max_lane_masses`, and where they act or absorb: a grid of cubes, each with
+/// the balls that meet it.
+struct LaneManyMasses {
+  int count;  ///< of the masses; 0 where there is no many masses
+  const LaneMass* masses;
+  int cells_x, cells_y, cells_z;
+  LaneVec low;
+  float size, per_size;         ///< of a cube, and 1 over that
+  const std::uint32_t* begins;  ///< of each cube's balls, x fastest, then y; and one end more
+  /// The balls, cube by cube: the middle, the square of the radius (of the influence, or of a
+  /// larger horizon), and which mass it is. There are `lane_count` more that count for nothing.
+  const float *x, *y, *z, *reach2;
+  const std::uint32_t* which;
+};
+
+/// A mass that is alone in its influence.
+struct LaneIsolated {
+  LaneVec center;
+  float influence, influence2;
+  float horizon;  ///< r_s
+  CrossingRange<float> range;
+  const float* cells;  ///< of its `CrossingTable`
+};
+
+/// An edge of a convex polygon in coordinates of its plane; counter-clockwise, so that the outside
+/// is to the right of its direction.
+struct LaneEdge {
+  float along_x, along_y;  ///< its direction, a unit vector
+  float begin, length;     ///< where it starts along its direction, seen from the origin
+  float out;               ///< how far its line lies from the origin, towards the outside
+};
+
+/// The edges of a portal that need not be a rectangle.
+struct LaneOutline {
+  int count;
+  LaneEdge edges[max_lane_edges];
+};
+
+/// One way through a portal in the recursion of `closest-point`: a polygon in its own plane, and
+/// the masses as they are seen through it. Local coordinates are (right, up, normal) of the
+/// rectangle, from its middle.
+struct LaneGate {
+  int parent;                         ///< -1: entered from the photon's own place
+  LaneVec origin, right, up, normal;  ///< only of a gate without a parent
+  // With a parent: local = offset + (q of the parent).x by_x + (q of the parent).y by_y.
+  LaneVec offset, by_x, by_y;
+  // With a parent: rotates an acceleration from this gate's local axes to its parent's (columns).
+  LaneVec to_parent_x, to_parent_y, to_parent_z;
+  float half_width, half_height;
+  const LaneOutline* outline;  ///< null where all portals are rectangles
+  float tolerance;             ///< heights down to minus this count as in front
+  float reach, reach2;
+  float ball;  ///< radius of a ball about the middle out of which it does not act
+  LaneVec images[max_lane_masses];  ///< of the masses, in local coordinates
+  /// Nearer to an image than the square root of that, light is left to the scalar engine: as
+  /// `LaneMass::bare2`, for no horizon acts through portals.
+  float bare2[max_lane_masses];
+  /// Whether the influence of a mass ends somewhere on the polygon; and with a parent, whether
+  /// places on that one's are further from it than the reach.
+  bool fades[max_lane_masses], falls_short;
+};
+
+/// A portal's rectangle, about its middle.
+struct LaneFace {
+  LaneVec origin, right, up, normal;
+  float half_width, half_height;
+  float tolerance;  ///< heights down to minus this count as in front
+  float reach2;
+  float ball;  ///< as of a `LaneGate`
+};
+
+/// One mass of `shortest-path` through one portal. Local coordinates are those of its face.
+struct LaneWay {
+  LaneVec image;  ///< where the mass seems to be
+  float gm, core2, influence;
+  float bare2;  ///< as of a `LaneGate`
+  /// Of the image from the lines of the rim: below (y = -h), right (x = w), above, left.
+  float off[4];
+};
+inline constexpr int max_lane_ways = 16;
+
+/// The ways through one portal.
+struct LaneEntrance {
+  LaneFace face;
+  int first, end;  ///< of its paths
+};
+
+/// One portal's grid of a `graviton-map`.
+struct LaneMap {
+  LaneFace face;
+  float low_x, low_y, spacing_x, spacing_y;
+  float per_x, per_y;    ///< 1 / spacing
+  float last_i, last_j;  ///< of the cells
+  int row;               ///< nodes in one
+  /// Where cells are nearer to masses than that, light is left to the scalar engine: as `bare2` of
+  /// a `LaneGate`.
+  float max_nearness;
+  /// Four for each node: the acceleration over c², and the stiffness over c².
+  const float* nodes;
+  /// Three for the cell to the upper right of each node: the nearness, how many cells further on
+  /// steps must end (`to_sharp`), and the gradient over c².
+  const float* cells;
+};
+
+/// A portal's front, for crossing it.
+struct LanePortal {
+  LaneVec origin, right, up, normal;
+  float half_width, half_height;  ///< of what holds it, about its origin
+  const LaneOutline* outline;     ///< null if it is a rectangle
+  float tolerance;                ///< heights down to minus this count as in front
+  float back;                     ///< 1 if light that comes from behind meets it, else 0
+  float leaves;                   ///< what `departed` says of lanes that have left its plane,
+  float facing;  ///< and 1 where its normal is that plane's, -1 where it is opposite
+};
+
+/// A convex polygon of 3 or 4 edges: a point of its plane lies inside where all edges say so.
+struct LanePolygon {
+  LaneVec normal;
+  float distance;  ///< normal · x on the plane
+  LaneVec middle;  ///< and radius of a ball that holds it
+  float radius;
+  LaneVec edge_normal[4];  ///< in the plane, inwards; a triangle repeats one
+  float edge_distance[4];
+  int shape;
+  float leaves, facing;  ///< as of a portal
+};
+
+struct LaneSphere {
+  LaneVec center;
+  float radius;
+  int shape;
+};
+
+/// What is inside is left to the scalar engine.
+struct LaneBox {
+  LaneVec low, high;
+};
+
+struct LaneScene {
+  bool fading;        ///< some gate has a mass that fades, or falls short
+  bool bare_through;  ///< some gate or path has a `bare2`
+  int mass_count, gate_count, map_count, entrance_count, way_count, portal_count, outline_count,
+      polygon_count, sphere_count, box_count, isolated_count;
+  float stiffness_weight, nearness_weight;  ///< of the step, see Radau
+  float third_weight, feedback_weight;      ///< of the step's roughness, see Radau
+  float tolerance;                          ///< of the scene's physics, radians
+  float max_drift;     ///< of a path that lanes may follow, radians; by its `LaneStrictness` more
+  float max_absorbed;  ///< of one that ends in a horizon
+  float ahead;         ///< the place that decides what acts lies this far ahead
+  float overshoot;     ///< a step ends this far past a boundary
+  float farthest;      ///< no step in the field is longer
+  float graze2;  ///< square of half a chord: who grazes an isolated mass by less is not turned
+  float radius;  ///< all there is lies in a ball of that about the centre
+  float flight_limit;  ///< floats are too coarse for a flight that begins further out
+  float max_length, max_turning, max_steps;
+  LaneMass masses[max_lane_masses];
+  LaneManyMasses many;  ///< then `masses` are none
+  LaneGate gates[max_lane_gates];
+  LaneMap maps[max_lane_portals];
+  LaneEntrance entrances[max_lane_portals];
+  LaneWay ways[max_lane_ways];
+  LanePortal portals[max_lane_portals];
+  /// One for each portal, or none where all are rectangles.
+  LaneOutline outlines[max_lane_portals];
+  LanePolygon polygons[max_lane_polygons];
+  LaneSphere spheres[max_lane_spheres];
+  LaneBox boxes[max_lane_boxes];
+  LaneIsolated isolated[max_lane_isolated_masses];
+};
+
+inline constexpr int first_isolated_object = max_lane_masses;
+inline constexpr int first_many_object = first_isolated_object + max_lane_isolated_masses;
+/// Planes that photons leave and in which portals or several faces lie count downwards from there.
+inline constexpr int first_departed_plane = -2;
+
+/// What a lane's step ended in.
+enum class LaneEvent : std::int32_t {
+  none,     ///< goes on
+  escape,   ///< nothing acts here and nothing lies ahead (the step was not taken)
+  hit,      ///< a surface: `object` is the polygon's or sphere's shape
+  portal,   ///< a portal's front or back: `object` is the portal
+  horizon,  ///< `object` is the mass; from `first_isolated_object` an isolated one, from
+            ///< `first_many_object` one of the many masses
+  cross,    ///< crossed the influence of an isolated mass and goes on: `object` as for `horizon`
+  consult,  ///< something may be near that lanes can't judge (the step was not taken)
+  resign,   ///< this way is not followed to the tolerance: it is taken again from its start
+  limit,    ///< too many steps, too long, turned too far, or no number any more
+};
+
+/// The state of all lanes, array by array. A lane that is not `live` holds something harmless.
+struct alignas(64) Lanes {
+  float x[lane_count], y[lane_count], z[lane_count];
+  float tx[lane_count], ty[lane_count], tz[lane_count];
+  float length[lane_count], turning[lane_count], steps[lane_count];
+  float longest[lane_count];    ///< of the next step: what the error of the last allows
+  float judged[lane_count];     ///< its `LaneStrictness`
+  float max_drift[lane_count];  ///< radians: a path that drifts further is taken again
+  float shorter[lane_count];
+  float astray[lane_count];         ///< its `Drift`: of its place,
+  float askew[lane_count];          ///< and of its direction
+  float live[lane_count];           ///< 1 or 0
+  float departed[lane_count];       ///< shape that the photon leaves, or -1; or a plane
+  float departed_side[lane_count];  ///< on which side it leaves it: 1 or -1
+  float clear[lane_count];          ///< nothing that boxes hold is met within that much path
+  float event[lane_count];          ///< a LaneEvent
+  float object[lane_count];
+};
+
+/// Takes one step of every live lane, or finds that it ends in an event. Where the event says that
+/// the step was not taken, the lane stays where it was. Returns bit i for lane i where there is
+/// one.
+using LaneStep = std::uint32_t (*)(const LaneScene& scene, Lanes& lanes);
+
+}  // namespace portalens
