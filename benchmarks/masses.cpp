@@ -124,7 +124,7 @@ struct Found {
   Errors errors;
 };
 
-double seconds_a_photon(const Space& space, const std::vector<Photon>& photons) {
+double seconds_a_photon(const PlannedSpace& space, const std::vector<Photon>& photons) {
   std::vector<Arrival> arrivals(photons.size());
   return least_time_of(3, [&] { advance(space, photons, arrivals); }) /
          static_cast<double>(photons.size());
@@ -132,7 +132,7 @@ double seconds_a_photon(const Space& space, const std::vector<Photon>& photons) 
 
 Found measure(const std::string& name, const ManyMasses& many, const Request& request) {
   const Subject subject = generated_subject(request.folder / (name + ".toml"), many.toml());
-  const Space& space = subject.world.space;
+  const PlannedSpace& space = subject.world.space;
   const auto checked = camera_photons(subject.world, 4);
   std::vector<Arrival> arrivals(checked.size());
   advance(space, checked, arrivals);

@@ -24,7 +24,7 @@ void append(PathTrace& path_trace, const PathTrace& more) {
 
 /// Advances a photon that leaves the trace's end, which becomes a bounce.
 /// @return the arrival, counted from that bounce
-Arrival go_on(const Space& space, const Photon& photon, Trace& trace) {
+Arrival go_on(const PlannedSpace& space, const Photon& photon, Trace& trace) {
   PathTrace more;
   const Arrival arrival = advance_recorded(space, photon, more);
   append(trace.path_trace, more);

@@ -18,19 +18,19 @@ Integrator integrator_of(const Physics& physics) {
 
 }  // namespace
 
-bool takes_lanes(const Space& space, Engine engine) {
+bool takes_lanes(const PlannedSpace& space, Engine engine) {
   return engine == Engine::automatic && space.lanes && lane_engine().step;
 }
 
-std::string why_no_lanes(const Space& space, Engine engine) {
+std::string why_no_lanes(const PlannedSpace& space, Engine engine) {
   if (takes_lanes(space, engine)) return "";
   if (engine == Engine::scalar) return "it is asked for (--engine scalar)";
   if (!space.lanes) return space.no_lanes_because;
   return "this processor has not the instructions that lanes need (SSE 4.2)";
 }
 
-void advance(const Space& space, std::span<const Photon> photons, std::span<Arrival> arrivals,
-             Engine engine) {
+void advance(const PlannedSpace& space, std::span<const Photon> photons,
+             std::span<Arrival> arrivals, Engine engine) {
   assert(photons.size() == arrivals.size());
   if (takes_lanes(space, engine)) {
     advance_in_lanes(space, *space.lanes, lane_engine().step, photons, arrivals);
@@ -45,7 +45,7 @@ void advance(const Space& space, std::span<const Photon> photons, std::span<Arri
       integrator_of(space.physics), space.coupling);
 }
 
-void advance_with_records(const Space& space, std::span<const Photon> photons,
+void advance_with_records(const PlannedSpace& space, std::span<const Photon> photons,
                           std::span<Arrival> arrivals, std::span<PathRecord> records) {
   assert(takes_lanes(space, Engine::automatic));
   assert(photons.size() == arrivals.size() && records.size() <= photons.size());
@@ -53,7 +53,7 @@ void advance_with_records(const Space& space, std::span<const Photon> photons,
   advance_in_lanes(space, *space.lanes, lane_engine().step, photons, arrivals, records);
 }
 
-Arrival advance_recorded(const Space& space, const Photon& photon, PathTrace& path_trace) {
+Arrival advance_recorded(const PlannedSpace& space, const Photon& photon, PathTrace& path_trace) {
   return std::visit(
       [&](const auto& integrator, const auto& coupling) {
         return Tracer(space, integrator, coupling).advance(photon, &path_trace);

@@ -5,43 +5,37 @@
 #include <cstdint>
 #include <span>
 #include <string>
-#include <vector>
 
+#include "lanes/planned_space.h"
 #include "photon/path_record.h"
+#include "photon/path_trace.h"
 #include "photon/photon.h"
-#include "photon/space.h"
 
 namespace portalens {
 
 /// Which engine advances. `automatic` takes the lanes where the space and the processor allow it
-/// (plan.h) and the scalar engine elsewhere.
+/// (lanes/plan.h) and the scalar engine elsewhere.
 enum class Engine : std::uint8_t { automatic, scalar };
-
-/// What a curious caller can be told of one photon's path (`trace --path`).
-struct PathTrace {
-  std::vector<std::vector<Vec3d>> stretches{{}};  ///< one polyline between portal crossings
-  std::vector<std::uint32_t> crossings;           ///< the portals entered, in order
-};
 
 /// Advances photons to their first surface. `arrivals[i]` answers `photons[i]`, whatever the order
 /// of work inside; no photon's answer depends on another's.
 /// @pre photons.size() == arrivals.size(), directions are unit vectors
-void advance(const Space& space, std::span<const Photon> photons, std::span<Arrival> arrivals,
-             Engine engine = Engine::automatic);
+void advance(const PlannedSpace& space, std::span<const Photon> photons,
+             std::span<Arrival> arrivals, Engine engine = Engine::automatic);
 
 /// Whether that engine advances photons of the space in lanes.
-[[nodiscard]] bool takes_lanes(const Space& space, Engine engine);
+[[nodiscard]] bool takes_lanes(const PlannedSpace& space, Engine engine);
 /// Why it does not, as a `LaneChoice` says it; empty where it does.
-[[nodiscard]] std::string why_no_lanes(const Space& space, Engine engine);
+[[nodiscard]] std::string why_no_lanes(const PlannedSpace& space, Engine engine);
 
 /// The same in lanes, with the path records of the first photons in few words.
 /// @param records  what they told before is forgotten
 /// @pre takes_lanes(space, Engine::automatic), records.size() <= photons.size()
-void advance_with_records(const Space& space, std::span<const Photon> photons,
+void advance_with_records(const PlannedSpace& space, std::span<const Photon> photons,
                           std::span<Arrival> arrivals, std::span<PathRecord> records);
 
 /// The same for one photon, with its path written down.
-[[nodiscard]] Arrival advance_recorded(const Space& space, const Photon& photon,
+[[nodiscard]] Arrival advance_recorded(const PlannedSpace& space, const Photon& photon,
                                        PathTrace& path_trace);
 
 }  // namespace portalens

@@ -9,12 +9,12 @@
 
 #include "gravity/field.h"
 #include "gravity/influence.h"
-#include "lanes/engine.h"
 #include "photon/change_finder.h"
 #include "photon/curve.h"
 #include "photon/horizons.h"
 #include "photon/last_pull.h"
 #include "photon/obstacles.h"
+#include "photon/path_trace.h"
 #include "photon/ray_state.h"
 #include "photon/vicinity.h"
 

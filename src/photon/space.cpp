@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "lanes/plan.h"
-
 namespace portalens {
 namespace {
 
@@ -44,9 +42,6 @@ Space::Space(Physics the_physics, std::uint32_t crossings, std::vector<Shape> sh
     box.add(mass.center + Vec3d{reach, reach, reach});
   }
   if (box.diagonal() > 0.0) extent = box.diagonal();
-  LaneChoice choice = plan_lanes(*this);
-  lanes = std::move(choice.plan);
-  no_lanes_because = std::move(choice.refusal);
 }
 
 SelfIntersectionGuard Space::leaving_portal(std::uint32_t index, Vec3d position,
@@ -57,8 +52,5 @@ SelfIntersectionGuard Space::leaving_portal(std::uint32_t index, Vec3d position,
   return {shape_count + index, 0, slope < 0.0 ? -1.0 : 1.0,
           guard_reach(length(position) + portal.longest_edge, slope)};
 }
-
-Space::Space(Space&&) noexcept = default;
-Space::~Space() = default;
 
 }  // namespace portalens

@@ -3,9 +3,7 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "geometry/accelerator.h"
@@ -17,15 +15,11 @@
 
 namespace portalens {
 
-struct LanePlan;
-
 /// Immutable once made; safe from any thread.
 struct Space {
   Space(Physics physics, std::uint32_t max_crossings, std::vector<Shape> shapes,
         std::vector<Portal> portals, std::vector<Mass> masses,
         std::optional<Vec3d> viewpoint = std::nullopt);
-  Space(Space&&) noexcept;
-  ~Space();
 
   /// How a path leaves the plane of a portal, over its front or its back as `direction` says.
   [[nodiscard]] SelfIntersectionGuard leaving_portal(std::uint32_t portal, Vec3d position,
@@ -42,8 +36,6 @@ struct Space {
   double extent = 1.0;     ///< a length of the scene's size: surfaces, portals, finite influences
   bool unbounded = false;  ///< some influence is infinite
   std::optional<Vec3d> viewpoint;  ///< where most photons begin; nothing depends on it but speed
-  std::unique_ptr<const LanePlan> lanes;  ///< null where lanes can't do it
-  std::string no_lanes_because;           ///< why that is so (LaneChoice); empty where they can
 };
 
 }  // namespace portalens

@@ -32,7 +32,7 @@ std::string why_all_photons(const RenderOptions& options, bool lanes) {
 }  // namespace
 
 Manner manner_of(const World& world, const RenderOptions& options) {
-  const Space& space = world.space;
+  const PlannedSpace& space = world.space;
   const bool lanes = takes_lanes(space, options.engine), fewer = interpolates(world, options);
   return {lanes ? "lanes" : "scalar", why_no_lanes(space, options.engine),
           lanes ? kinds_of(world, space.lanes->boxed) : "", fewer ? "fewer" : "all",

@@ -171,7 +171,7 @@ World compile(const Scene& scene, const CompileOptions& options) {
   Space space(physics, max_crossings, std::move(objects.shapes), std::move(objects.portals),
               std::move(objects.masses), camera.position);
   World world{scene.file,
-              std::move(space),
+              PlannedSpace(std::move(space)),
               std::move(look),
               camera,
               film,

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "photon/space.h"
+#include "lanes/planned_space.h"
 #include "shading/appearance.h"
 #include "world/camera.h"
 
@@ -30,7 +30,7 @@ struct UsedFile {
 
 struct World {
   std::filesystem::path file;
-  Space space;
+  PlannedSpace space;
   Appearance appearance;
   Camera camera;
   Film film;

@@ -22,7 +22,7 @@ Physics isolated_physics(double tolerance = 1e-4) { return physics_with(toleranc
 
 Mass mass_at_origin() { return mass_at({0, 0, 0}, standard_gm, isolated_physics()); }
 
-int isolated_count(const Space& space) {
+int isolated_count(const PlannedSpace& space) {
   return space.lanes ? static_cast<int>(space.lanes->isolated.masses.size()) : -1;
 }
 
@@ -54,11 +54,12 @@ double length_to_place(const Arrival& arrival) {
          (arrival.fate == Fate::escaped ? dot(arrival.position, arrival.direction) : 0.0);
 }
 
-Apart compare(const Space& lanes, const std::vector<Photon>& photons) {
+Apart compare(const PlannedSpace& lanes, const std::vector<Photon>& photons) {
   Physics fine = lanes.physics;
   fine.tolerance = 1e-8;
-  const Space exact = space_with(fine, lanes.masses, lanes.surfaces.shapes(),
-                                 {lanes.portals.portals().begin(), lanes.portals.portals().end()});
+  const PlannedSpace exact =
+      space_with(fine, lanes.masses, lanes.surfaces.shapes(),
+                 {lanes.portals.portals().begin(), lanes.portals.portals().end()});
   std::vector<Arrival> found(photons.size()), expected(photons.size());
   advance(lanes, photons, found);
   advance(exact, photons, expected, Engine::scalar);
@@ -87,14 +88,14 @@ void expect_close(const Apart& apart) {
 }
 
 TEST(IsolatedMasses, AreCrossedAsTheScalarEngineCrossesThem) {
-  const Space space = space_with(isolated_physics(), {mass_at_origin()});
+  const PlannedSpace space = space_with(isolated_physics(), {mass_at_origin()});
   ASSERT_EQ(isolated_count(space), 1);
   for (const double width : {4.0, 12.0, 60.0})
     expect_close(compare(space, photons_from({90, 20, 10}, width, scaled(4000))));
 }
 
 TEST(IsolatedMasses, TakeOneStepToCross) {
-  const Space space = space_with(isolated_physics(), {mass_at_origin()});
+  const PlannedSpace space = space_with(isolated_physics(), {mass_at_origin()});
   const Photon photon = photon_at({90, 5, 0}, {-1, 0, 0});
   Arrival arrival;
   advance(space, {&photon, 1}, {&arrival, 1});
@@ -111,7 +112,7 @@ TEST(IsolatedMasses, AreCrossedByTwentyInARow) {
     masses.push_back(
         mass_at({(i % 5) * 10.0 - 20.0, i / 5 * 10.0 - 15.0, random.uniform(-3, 3)}, gm, physics));
   }
-  const Space space = space_with(physics, masses);
+  const PlannedSpace space = space_with(physics, masses);
   ASSERT_EQ(isolated_count(space), 20);
   const Apart apart = compare(space, photons_from({70, 3, 2}, 25.0, scaled(6000)));
   // What one mass does to a way in float, the next ones magnify.
@@ -125,7 +126,7 @@ TEST(IsolatedMasses, MayBeBesideOthersThatAreNot) {
   const std::vector<Mass> masses = {mass_at({-80, 0, 0}, 500, physics),
                                     mass_at({-80, 30, 0}, 500, physics),
                                     mass_at({0, 0, 0}, standard_gm, physics)};
-  const Space space = space_with(physics, masses);
+  const PlannedSpace space = space_with(physics, masses);
   ASSERT_EQ(isolated_count(space), 1);
   EXPECT_EQ(space.lanes->mass_of(0), 0u);
   EXPECT_EQ(space.lanes->mass_of(max_lane_masses), 2u);
@@ -144,7 +145,7 @@ TEST(IsolatedMasses, HaveNoSurfaceInTheirInfluence) {
         {{-9, -9, -distance}, {9, -9, -distance}, {9, 9, -distance}, {-9, 9, -distance}}});
     const Sphere around({0, 0, 0}, distance);
     for (const Shape& shape : {Shape(sphere), Shape(wall), Shape(around)}) {
-      const Space space = space_with(isolated_physics(), {mass}, {shape});
+      const PlannedSpace space = space_with(isolated_physics(), {mass}, {shape});
       EXPECT_EQ(isolated_count(space), off > 0.0 ? 1 : 0) << off;
       const Apart apart = compare(space, photons_from({0.5, 60, 10}, 50.0, scaled(1500)));
       EXPECT_LE(apart.fates, 2u);
@@ -164,7 +165,7 @@ TEST(IsolatedMasses, HideWhatIsBehindThem) {
              {6, 6, 6}, {10, 20, 30}));
   for (int i = 0; i < 5; ++i)
     shapes.emplace_back(Sphere({-60.0, random.uniform(-40, 40), random.uniform(-40, 40)}, 6.0));
-  const Space space = space_with(isolated_physics(), {mass_at_origin()}, shapes);
+  const PlannedSpace space = space_with(isolated_physics(), {mass_at_origin()}, shapes);
   ASSERT_EQ(isolated_count(space), 1);
   const auto photons = photons_from({90, 0, 0}, 20.0, scaled(4000));
   const Apart apart = compare(space, photons);
@@ -177,8 +178,9 @@ TEST(IsolatedMasses, DoNotTouchOneAnother) {
   const Physics physics = isolated_physics();
   const double radius = mass_at_origin().influence;
   for (const double gap : {-0.02, 0.02}) {
-    const Space space = space_with(physics, {mass_at({-radius, 0, 0}, standard_gm, physics),
-                                             mass_at({radius + gap, 0, 0}, standard_gm, physics)});
+    const PlannedSpace space =
+        space_with(physics, {mass_at({-radius, 0, 0}, standard_gm, physics),
+                             mass_at({radius + gap, 0, 0}, standard_gm, physics)});
     EXPECT_EQ(isolated_count(space), gap > 0.0 ? 2 : 0);
     const Apart apart = compare(space, photons_from({150, 3, 2}, 60.0, scaled(2000)));
     EXPECT_LE(apart.fates, 2u);
@@ -210,7 +212,7 @@ TEST(IsolatedMasses, AreOutOfEveryPortalsReach) {
     EXPECT_EQ(isolated_count(space_with(physics, {isolated, other}, {}, near)), 0) << coupling;
     // A mass that acts through the portals, beside one that is alone.
     const Mass beside = mass_at({135, 0, 0}, 50, physics);
-    const Space space = space_with(physics, {isolated, beside}, {}, pair);
+    const PlannedSpace space = space_with(physics, {isolated, beside}, {}, pair);
     EXPECT_EQ(isolated_count(space), 1) << coupling;
     const Apart apart = compare(space, photons_from({90, 30, 0}, 130.0, scaled(1000)));
     EXPECT_LE(apart.fates, 4u) << coupling;
@@ -234,7 +236,7 @@ TEST(IsolatedMasses, HaveNoCoreAndAHorizonWithinAFiniteInfluence) {
 }
 
 TEST(IsolatedMasses, AreSeenFromWithinAsTheScalarEngineSeesThem) {
-  const Space space = space_with(isolated_physics(), {mass_at_origin()});
+  const PlannedSpace space = space_with(isolated_physics(), {mass_at_origin()});
   for (const double distance : {3.0, 10.0, 44.0, 44.7}) {
     const Apart apart = compare(space, photons_from({0, distance, 0}, 8.0, scaled(500)));
     EXPECT_EQ(apart.fates, 0u);
@@ -245,7 +247,7 @@ TEST(IsolatedMasses, AreSeenFromWithinAsTheScalarEngineSeesThem) {
 TEST(IsolatedMasses, HoldNoViewpoint) {
   const Physics physics = isolated_physics();
   for (const double distance : {10.0, 44.0, 50.0}) {
-    const Space space(physics, 16, {}, {}, {mass_at_origin()}, Vec3d{0, distance, 0});
+    const PlannedSpace space(physics, 16, {}, {}, {mass_at_origin()}, Vec3d{0, distance, 0});
     EXPECT_EQ(isolated_count(space), distance > 45.0 ? 1 : 0);
     EXPECT_EQ(space.lanes->stepped.size(), distance > 45.0 ? 0u : 1u);
   }
@@ -261,7 +263,7 @@ TEST(IsolatedMasses, LeaveLimitsAsTheyAre) {
     if (limit == 1) physics.max_length = 100.0;
     if (limit == 2) physics.max_length = 60.0;
     if (limit == 3) physics.max_length = 140.0;
-    const Space space = space_with(physics, {mass}, {Quad(behind)});
+    const PlannedSpace space = space_with(physics, {mass}, {Quad(behind)});
     ASSERT_EQ(isolated_count(space), 1);
     const auto photons = photons_from({90, 0, 0}, 40.0, scaled(500));
     std::vector<Arrival> lanes(photons.size()), scalar(photons.size());
@@ -283,7 +285,7 @@ TEST(IsolatedMasses, AreSteppedThroughBeyondTheirRoom) {
     return space_with(physics, masses);
   };
   EXPECT_EQ(isolated_count(fill(max_lane_isolated_masses + 1)), max_lane_isolated_masses);
-  const Space more = fill(max_lane_isolated_masses + max_lane_masses + 1);
+  const PlannedSpace more = fill(max_lane_isolated_masses + max_lane_masses + 1);
   EXPECT_EQ(isolated_count(more), 0);
   EXPECT_EQ(more.lanes->scene.many.count, static_cast<int>(more.masses.size()));
 }
@@ -294,7 +296,7 @@ TEST(IsolatedMasses, AreCrossedWithTheSameBitsByEveryInstructionSet) {
 }
 
 TEST(IsolatedMasses, AreCrossedOnTrailsThatHoldTheWay) {
-  const Space space = space_with(isolated_physics(1e-5), {mass_at_origin()});
+  const PlannedSpace space = space_with(isolated_physics(1e-5), {mass_at_origin()});
   const auto photons = photons_from({90, 20, 10}, 12.0, scaled(300));
   std::vector<Arrival> arrivals(photons.size());
   std::vector<PathRecord> records(photons.size());

@@ -15,7 +15,7 @@ namespace portalens::test {
 namespace {
 
 /// A ground, spheres, triangles, a mass and a pair of portals, like the paper's figure 7.
-Space busy_space(const char* coupling, int depth) {
+PlannedSpace busy_space(const char* coupling, int depth) {
   Physics physics = physics_with(1e-4, 1.0);
   physics.portal_gravity = coupling;
   physics.portal_gravity_depth = depth;
@@ -53,7 +53,7 @@ std::vector<Photon> camera_photons(int count) {
 class LanesOfCoupling : public testing::TestWithParam<std::pair<const char*, int>> {};
 
 TEST_P(LanesOfCoupling, AgreeWithTheScalarEngineWithinFloatButForFewPhotons) {
-  const Space space = busy_space(GetParam().first, GetParam().second);
+  const PlannedSpace space = busy_space(GetParam().first, GetParam().second);
   ASSERT_TRUE(space.lanes);
   const auto photons = camera_photons(scaled(5000));
   std::vector<Arrival> lanes(photons.size()), scalar(photons.size());
@@ -95,7 +95,7 @@ INSTANTIATE_TEST_SUITE_P(Couplings, LanesOfCoupling,
                                          std::pair("portal-mass", 1)));
 
 TEST(Lanes, APhotonsAnswerDoesNotDependOnItsNeighbours) {
-  const Space space = busy_space("closest-point", 1);
+  const PlannedSpace space = busy_space("closest-point", 1);
   const auto photons = camera_photons(500);
   const auto together = in_lanes(space, photons, "sse4");
   for (std::size_t i = 0; i < photons.size(); i += 7) {
@@ -126,7 +126,7 @@ TEST(Lanes, APhotonsAnswerDoesNotDependOnItsNeighboursThatComeNearAPlane) {
                                                  {5.00493879, 2.05191086, -2.66603874},
                                                  {4.99659358, 2.17840483, -2.66603874},
                                                  {4.36412373, 2.13667878, -2.74536654}}}));
-  const Space space = space_with(physics, masses, std::move(shapes));
+  const PlannedSpace space = space_with(physics, masses, std::move(shapes));
   ASSERT_TRUE(space.lanes);
   std::vector<Photon> photons;  // row by row, so that neighbours go similar paths
   for (double y = 0.2; y > -0.1; y -= 0.0057)
@@ -146,7 +146,7 @@ TEST(Lanes, APhotonsAnswerDoesNotDependOnItsNeighboursThatComeNearAPlane) {
 TEST(Lanes, MeetAHorizonFromFarAwayWhereItIs) {
   // The horizon is larger than the influence, so that ways are straight until they meet it.
   const Physics physics = physics_with(1e-4, 800.0);
-  const Space space =
+  const PlannedSpace space =
       space_with(physics, {mass_at({0, 0, 0}, standard_gm, physics)}, {Sphere({0, 0, -50}, 30.0)});
   for (const double distance : {2.5, 5.0, 20.0, 100.0, 400.0})
     for (const double aside : {0.0, 0.7, 1.5, 1.9, 1.97, 1.98}) {
@@ -161,7 +161,7 @@ TEST(Lanes, MeetAHorizonFromFarAwayWhereItIs) {
 
 TEST(Lanes, LeaveAnInfluenceThatTheyGrazeWhereItEnds) {
   const Physics physics = physics_with(1e-4, 10.0);  // R = 14.1
-  const Space space =
+  const PlannedSpace space =
       space_with(physics, {mass_at({0, 0, 0}, standard_gm, physics)}, {Sphere({0, 0, 0}, 2.5)});
   Random random(3);
   int off = 0;
@@ -182,7 +182,7 @@ TEST(Lanes, LeaveAnInfluenceThatTheyGrazeWhereItEnds) {
 
 TEST(Lanes, FlyOutOfASceneInOneStep) {
   for (const char* coupling : {"closest-point", "graviton-map"}) {
-    const Space space = busy_space(coupling, 1);
+    const PlannedSpace space = busy_space(coupling, 1);
     ASSERT_TRUE(space.lanes);
     Random random(19);
     std::vector<Photon> photons;
@@ -204,7 +204,7 @@ TEST(Lanes, FlyOutOfASceneInOneStep) {
 /// A step that ends a little before the border that it was to end behind needs another one for the
 /// rest. Of planes hardly any is left, of the borders of what is within reach most.
 TEST(Lanes, EndStepsBehindTheBordersThatTheyForesee) {
-  const Space space = busy_space("closest-point", 1);
+  const PlannedSpace space = busy_space("closest-point", 1);
   const auto photons = camera_photons(scaled(4000));
   std::vector<Arrival> arrivals(photons.size());
   std::vector<PathRecord> records(photons.size());
@@ -229,7 +229,7 @@ TEST(Lanes, FollowLightThatWindsIntoABareMass) {
   const Physics physics = physics_with(1e-4, 0.05);
   Mass bare = mass_at({0, 0, 0}, 600, physics);
   bare.horizon = false;
-  const Space space = space_with(physics, {bare});
+  const PlannedSpace space = space_with(physics, {bare});
   ASSERT_TRUE(space.lanes);
   const double m = gravitational_radius(bare.gm, physics.c);
   Random random(17);

@@ -52,7 +52,7 @@ std::vector<Mass> masses_of(const Kind& kind, const Physics& physics, std::uint6
   return masses;
 }
 
-Space space_of(const Kind& kind, Physics physics, std::uint64_t seed) {
+PlannedSpace space_of(const Kind& kind, Physics physics, std::uint64_t seed) {
   std::vector<Shape> shapes;
   std::vector<Portal> portals;
   if (kind.objects) {
@@ -87,7 +87,7 @@ const Kind kinds[] = {{"ThatIsSmall", 9, 2.0},
 
 struct ManyMassesIn : testing::TestWithParam<Kind> {};
 
-std::vector<Arrival> by_scalar(const Space& space, const std::vector<Photon>& photons) {
+std::vector<Arrival> by_scalar(const PlannedSpace& space, const std::vector<Photon>& photons) {
   std::vector<Arrival> arrivals(photons.size());
   advance(space, photons, arrivals, Engine::scalar);
   return arrivals;
@@ -117,7 +117,7 @@ TEST_P(ManyMassesIn, LanesLandWhereTheScalarEngineHasThem) {
   const Kind& kind = GetParam();
   const int count = scaled(500);
   for (const std::uint64_t seed : {1, 2}) {
-    const Space space = space_of(kind, physics_with(1e-4, min_force), seed);
+    const PlannedSpace space = space_of(kind, physics_with(1e-4, min_force), seed);
     ASSERT_TRUE(space.lanes);
     ASSERT_GT(space.lanes->scene.many.count, 0);
     const auto photons = photons_about(count, seed);
@@ -135,7 +135,7 @@ TEST_P(ManyMassesIn, LanesLandWhereTheScalarEngineHasThem) {
 
 TEST_P(ManyMassesIn, LanesGiveTheSameBitsWithEveryInstructionSetAndInAnyOrder) {
   const Kind& kind = GetParam();
-  const Space space = space_of(kind, physics_with(1e-4, min_force), 3);
+  const PlannedSpace space = space_of(kind, physics_with(1e-4, min_force), 3);
   const auto photons = photons_about(scaled(400), 3);
   const auto expected = in_lanes(space, photons, lane_engine().name);
   std::vector<std::size_t> order(photons.size());
@@ -159,7 +159,7 @@ TEST(ManyMasses, IsBesideMassesThatAreAlone) {
   std::vector<Mass> masses = masses_of({"", 20, 3.0}, physics, 5);
   for (int i = 0; i < 10; ++i)
     masses.insert(masses.begin() + 2 * i, mass_of({40.0 + 4.0 * i, 0, 0}, 1.9, physics));
-  const Space space = space_with(physics, masses);
+  const PlannedSpace space = space_with(physics, masses);
   ASSERT_TRUE(space.lanes);
   EXPECT_EQ(space.lanes->scene.isolated_count, 10);
   EXPECT_EQ(space.lanes->scene.many.count, 20);
@@ -178,7 +178,7 @@ TEST(ManyMasses, AbsorbsWhereHorizonsAreLargerThanInfluences) {
   Random random(6);
   std::vector<Mass> masses;
   for (int i = 0; i < 60; ++i) masses.push_back(mass_of(random.point(half), 1.0, physics));
-  const Space space = space_with(physics, masses);
+  const PlannedSpace space = space_with(physics, masses);
   ASSERT_TRUE(space.lanes);
   ASSERT_GT(masses[0].schwarzschild, 1.5 * masses[0].influence);
   const auto photons = photons_about(scaled(1000), 6);
@@ -199,7 +199,7 @@ TEST(ManyMasses, KeepsTheLimits) {
   for (const bool of_steps : {true, false}) {
     Physics physics = physics_with(1e-4, min_force);
     (of_steps ? physics.max_steps = 20 : physics.max_length = 47.0);
-    const Space space = space_of({"", 300, 2.0}, physics, 7);
+    const PlannedSpace space = space_of({"", 300, 2.0}, physics, 7);
     ASSERT_TRUE(space.lanes);
     const auto photons = photons_about(300, 7);
     std::size_t lost = 0;
@@ -221,7 +221,7 @@ TEST(ManyMasses, LeavesToTheScalarEngineWhereThereAreTooMany) {
     masses.push_back(mass_of(Vec3d{-8, 0, 0} + random.point(0.5), 0.05, physics));
   for (int i = 0; i <= max_lane_own; ++i)
     masses.push_back(mass_of(Vec3d{8, 0, 0} + random.point(0.01), 1.0, physics));
-  const Space space = space_with(physics, masses);
+  const PlannedSpace space = space_with(physics, masses);
   ASSERT_TRUE(space.lanes);
   std::vector<Photon> photons;
   for (int i = 0; i < 40; ++i)
@@ -242,7 +242,7 @@ TEST(ManyMasses, MayHavePortalsThatActAsMassesAndNoneThatAreLookedThrough) {
                                         {"shortest-path", false}}) {
     Physics physics = physics_with(1e-4, min_force);
     physics.portal_gravity = coupling;
-    const Space space = space_of({"", 12, 2.0, 1.0, 0.0, 0, true}, physics, 10);
+    const PlannedSpace space = space_of({"", 12, 2.0, 1.0, 0.0, 0, true}, physics, 10);
     EXPECT_EQ(static_cast<bool>(space.lanes), takes) << coupling;
     if (!takes) continue;
     EXPECT_EQ(space.lanes->scene.many.count, 14);
@@ -256,16 +256,16 @@ TEST(ManyMasses, MayHavePortalsThatActAsMassesAndNoneThatAreLookedThrough) {
 TEST(ManyMasses, MayLieAllAtOnePlaceOrUnderOneGiant) {
   const Physics physics = physics_with(1e-3, min_force);
   std::vector<Mass> heap(max_lane_many, mass_of({0, 0, 0}, 1e-3, physics));
-  const Space at_one_place = space_with(physics, heap);
+  const PlannedSpace at_one_place = space_with(physics, heap);
   EXPECT_TRUE(at_one_place.lanes);
   heap.push_back(heap.front());
   EXPECT_FALSE(space_with(physics, heap).lanes);
 
   std::vector<Mass> masses = masses_of({"", 10000, 0.1}, physics, 9);
   masses.push_back(mass_of({0, 0, 0}, 1000.0 * half, physics));
-  const Space under_a_giant = space_with(physics, masses);
+  const PlannedSpace under_a_giant = space_with(physics, masses);
   ASSERT_TRUE(under_a_giant.lanes);
-  for (const Space* space : {&at_one_place, &under_a_giant}) {
+  for (const PlannedSpace* space : {&at_one_place, &under_a_giant}) {
     const LaneManyMasses& many = space->lanes->scene.many;
     const int cells = many.cells_x * many.cells_y * many.cells_z;
     EXPECT_LE(many.begins[cells], 1u << 20);
@@ -281,7 +281,7 @@ INSTANTIATE_TEST_SUITE_P(, ManyMassesIn, testing::ValuesIn(kinds),
 TEST(ManyMasses, LiesWhereNothingActsAnywhere) {
   const Physics physics = physics_with(1e-4, 1e300);
   const std::vector<Mass> masses(12, mass_at({1, 2, 3}, 1e-60, physics));
-  const Space space = space_with(physics, masses, {}, {});
+  const PlannedSpace space = space_with(physics, masses, {}, {});
   const auto photons = photons_about(40, 1);
   std::vector<Arrival> arrivals(photons.size());
   advance(space, photons, arrivals);

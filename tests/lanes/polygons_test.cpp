@@ -73,8 +73,8 @@ struct Case {
 };
 
 /// A ground, spheres, two masses, and slanted portals.
-Space space_of(const char* coupling, int depth, std::vector<Portal> portals,
-               double min_force = 1.0) {
+PlannedSpace space_of(const char* coupling, int depth, std::vector<Portal> portals,
+                      double min_force = 1.0) {
   Physics physics = physics_with(1e-4, min_force);
   physics.portal_gravity = coupling;
   physics.portal_gravity_depth = depth;
@@ -90,7 +90,7 @@ Space space_of(const char* coupling, int depth, std::vector<Portal> portals,
                     std::move(shapes), std::move(portals));
 }
 
-Space space_of(const Case& its) {
+PlannedSpace space_of(const Case& its) {
   return space_of(its.coupling, its.depth,
                   pair_of(its.corners, plane({-3, 1.6, -2}, 0.3, 0.2, 0.1),
                           plane({3.5, 1.9, -3}, -0.5, -0.1, -0.2)));
@@ -111,7 +111,7 @@ std::vector<Photon> photons_from_all_sides(int count) {
 }
 
 /// @param deep  what comes through many portals in a row adds up, and so do its errors
-void expect_as_scalar(const Space& space, const std::vector<Photon>& photons, bool deep) {
+void expect_as_scalar(const PlannedSpace& space, const std::vector<Photon>& photons, bool deep) {
   ASSERT_TRUE(space.lanes);
   ASSERT_NE(lane_engine().step, nullptr);
   std::vector<Arrival> lanes(photons.size()), scalar(photons.size());
@@ -148,7 +148,7 @@ TEST_P(LanesThroughPolygons, GiveTheSameBitsWithEveryInstructionSet) {
 }
 
 TEST_P(LanesThroughPolygons, APhotonsAnswerDoesNotDependOnItsNeighbours) {
-  const Space space = space_of(GetParam());
+  const PlannedSpace space = space_of(GetParam());
   ASSERT_TRUE(space.lanes);
   const auto photons = photons_from_all_sides(scaled(1000));
   const auto together = in_lanes(space, photons, "sse4");
@@ -174,7 +174,7 @@ TEST(LanesThroughPolygons, TakeRectanglesAndOthersTogether) {
   std::vector<Portal> portals =
       pair_of(rectangle, plane({-3, 1.6, -2}, 0.3, 0.2), plane({3.5, 1.9, -3}, -0.5, -0.1));
   append(portals, pair_of(regular(5), plane({0, 4, -4}, 0.1, -0.4), plane({-1, 2, 3}, 2.5, 0.1)));
-  const Space space = space_of("closest-point", 1, portals);
+  const PlannedSpace space = space_of("closest-point", 1, portals);
   ASSERT_TRUE(space.lanes);
   EXPECT_EQ(space.lanes->scene.gate_count, 4);
   expect_as_scalar(space, photons_from_all_sides(scaled(2500)), false);
@@ -183,10 +183,10 @@ TEST(LanesThroughPolygons, TakeRectanglesAndOthersTogether) {
 /// Their influence ends somewhere on the faces, and behind one portal the other is out of reach.
 TEST(LanesThroughPolygons, SeeMassesBeginAndCeaseToActThroughThem) {
   for (const Corners& corners : {trapezium, rectangle}) {
-    const Space space = space_of("closest-point", 2,
-                                 pair_of(corners, plane({-3, 1.6, -2}, 0.3, 0.2, 0.1),
-                                         plane({3.5, 1.9, -3}, -0.5, -0.1, -0.2)),
-                                 4.0);
+    const PlannedSpace space = space_of("closest-point", 2,
+                                        pair_of(corners, plane({-3, 1.6, -2}, 0.3, 0.2, 0.1),
+                                                plane({3.5, 1.9, -3}, -0.5, -0.1, -0.2)),
+                                        4.0);
     ASSERT_TRUE(space.lanes);
     const LaneScene& scene = space.lanes->scene;
     EXPECT_TRUE(std::any_of(scene.gates, scene.gates + scene.gate_count,
@@ -213,7 +213,7 @@ TEST(LanesThroughPolygons, MeetABackWhereAStepEndsCloseBehindIt) {
     std::vector<Portal> portals = pair_of(corners, plane({-3, 1.6, -2}, 0.3, 0.2, 0.1),
                                           plane({3.5, 1.9, -3}, -0.5, -0.1, -0.2));
     for (Portal& portal : portals) portal.back_material = 0;
-    const Space space = space_of("closest-point", 1, portals);
+    const PlannedSpace space = space_of("closest-point", 1, portals);
     Random random(33);
     std::vector<Photon> photons;
     for (int i = 0; i < scaled(4000); ++i) {

@@ -19,8 +19,8 @@ std::vector<Portal> gates() {
 }
 
 /// A ground, a mass, and a pair of portals that carry its pull; and what a test adds.
-Space space_of(std::vector<Shape> more_shapes = {}, std::vector<Mass> more_masses = {},
-               std::vector<Portal> more_portals = {}) {
+PlannedSpace space_of(std::vector<Shape> more_shapes = {}, std::vector<Mass> more_masses = {},
+                      std::vector<Portal> more_portals = {}) {
   Physics physics = physics_with(1e-4, 0.5);
   physics.portal_gravity = "closest-point";
   physics.portal_gravity_depth = 1;
@@ -43,7 +43,7 @@ struct Beam {
   std::array<PathRecord, 4> records;
   Photon between;
 
-  Beam(const Space& space, Random& random) {
+  Beam(const PlannedSpace& space, Random& random) {
     const double x = random.uniform(-0.5, 0.5), y = random.uniform(-0.3, 0.3);
     std::array<Photon, 4> photons;
     for (std::size_t i = 0; i < 4; ++i)
@@ -62,7 +62,7 @@ struct Beam {
         return false;
     return arrivals[0].fate == Fate::hit || arrivals[0].fate == Fate::escaped;
   }
-  [[nodiscard]] bool clear(const Space& space) const {
+  [[nodiscard]] bool clear(const PlannedSpace& space) const {
     return BeamGuard::over(space)->clear({&records[0], &records[1], &records[2], &records[3]},
                                          arrivals[0]);
   }
@@ -70,8 +70,8 @@ struct Beam {
 
 /// Some place on the path of the photon between, and how far that is along its path; never the
 /// first or the last.
-std::optional<std::pair<Vec3d, double>> place_between(const Space& space, const Photon& photon,
-                                                      Random& random) {
+std::optional<std::pair<Vec3d, double>> place_between(const PlannedSpace& space,
+                                                      const Photon& photon, Random& random) {
   PathTrace path_trace;
   (void)advance_recorded(space, photon, path_trace);
   std::vector<std::pair<Vec3d, double>> places;
@@ -89,7 +89,7 @@ std::optional<std::pair<Vec3d, double>> place_between(const Space& space, const 
 /// @param with  the space with the thing at that place, a tenth of a pixel large
 template <class With>
 void expect_seen(const With& with) {
-  const Space space = space_of();
+  const PlannedSpace space = space_of();
   Random random(21);
   int tried = 0, through_portals = 0;
   for (int i = 0; i < scaled(400); ++i) {
@@ -165,7 +165,7 @@ TEST(BeamGuard, SeesAPortalOfAnyCornersOnTheWayOfAnyPhotonBetween) {
 /// What the guard says of four ways through these places, a tenth aside of each other, that end on
 /// the ground.
 bool clear_to_ground(const std::vector<Vec3d>& places) {
-  const Space space = space_of();
+  const PlannedSpace space = space_of();
   std::array<PathRecord, 4> records;
   for (std::size_t i = 0; i < 4; ++i) {
     const Vec3d aside{0, 0, 0.1 * static_cast<double>(i)};
@@ -203,7 +203,7 @@ bool clear_through_influence(double end, double pull, Fate fate) {
   Mass mass = mass_at({0, 0, 0}, pull * 25.0 * physics.c * physics.c, physics);
   mass.influence = 5.0;
   mass.horizon = false;
-  const Space space = space_with(physics, {mass}, {}, {});
+  const PlannedSpace space = space_with(physics, {mass}, {}, {});
   std::array<PathRecord, 4> records;
   for (std::size_t i = 0; i < 4; ++i)
     for (const double x : {-12.0, 0.0, end})
@@ -227,7 +227,7 @@ TEST(BeamGuard, TakesNoNoticeOfABorderThatTurnsNoLight) {
 }
 
 TEST(BeamGuard, LetsMostBeamsThrough) {
-  const Space space = space_of();
+  const PlannedSpace space = space_of();
   Random random(23);
   int agree = 0, clear = 0;
   for (int i = 0; i < scaled(2000); ++i) {
@@ -240,7 +240,7 @@ TEST(BeamGuard, LetsMostBeamsThrough) {
 }
 
 TEST(BeamGuard, IgnoresWhatLiesBesideTheBeam) {
-  const Space space = space_of();
+  const PlannedSpace space = space_of();
   Random random(24);
   int clear = 0, still = 0;
   for (int i = 0; i < scaled(400); ++i) {

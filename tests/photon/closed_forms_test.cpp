@@ -10,7 +10,7 @@ namespace {
 
 const double m = standard_gm / (45.0 * 45.0);
 
-Space one_mass(double tolerance, double min_force) {
+PlannedSpace one_mass(double tolerance, double min_force) {
   const Physics physics = physics_with(tolerance, min_force);
   return space_with(physics, {mass_at({0, 0, 0}, standard_gm, physics)});
 }
@@ -30,7 +30,7 @@ class ToleranceHolds : public testing::TestWithParam<double> {};
 
 TEST_P(ToleranceHolds, ForTurningAndDirectionWithAFiniteInfluence) {
   const double allowed = GetParam() < 5e-9 ? 1e-8 : GetParam();
-  const Space space = one_mass(GetParam(), 0.01);
+  const PlannedSpace space = one_mass(GetParam(), 0.01);
   for (double share = 3.31; share <= 60.0; share *= 1.07) {
     const double expected = closed_form::total_turning(m, space.masses[0].influence, share * m);
     const Arrival arrival = advance_one(space, photon_at({-500, share * m, 0}, {1, 0, 0}));
@@ -42,7 +42,7 @@ TEST_P(ToleranceHolds, ForTurningAndDirectionWithAFiniteInfluence) {
 
 TEST_P(ToleranceHolds, ForTurningAndDirectionWithAnInfiniteInfluence) {
   const double allowed = GetParam() < 5e-9 ? 1e-8 : GetParam();
-  const Space space = one_mass(GetParam(), 0.0);
+  const PlannedSpace space = one_mass(GetParam(), 0.0);
   for (double share = 3.31; share <= 60.0; share *= 1.07) {
     const double x = -200.0;
     const double expected = closed_form::turning_from(m, x, share * m);
@@ -57,7 +57,7 @@ INSTANTIATE_TEST_SUITE_P(Tolerances, ToleranceHolds,
                          testing::Values(1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9));
 
 TEST(ClosedForms, WeakDeflectionIsTwoMOverB) {
-  const Space space = one_mass(1e-7, 0.0);
+  const PlannedSpace space = one_mass(1e-7, 0.0);
   const double b = 1000.0 * m;
   const Arrival arrival = advance_one(space, photon_at({-1e5, b, 0}, {1, 0, 0}));
   ASSERT_EQ(arrival.fate, Fate::escaped);
@@ -65,7 +65,7 @@ TEST(ClosedForms, WeakDeflectionIsTwoMOverB) {
 }
 
 TEST(ClosedForms, BouguersInvariantIsConservedAlongThePath) {
-  const Space space = one_mass(1e-9, 0.01);
+  const PlannedSpace space = one_mass(1e-9, 0.01);
   const double influence = space.masses[0].influence;
   for (double share : {3.31, 3.5, 5.0, 12.0, 60.0}) {
     PathTrace path_trace;
@@ -80,7 +80,7 @@ TEST(ClosedForms, BouguersInvariantIsConservedAlongThePath) {
       if (fence < share * m) continue;
       const Physics physics = space.physics;
       const Sphere wall{{0, 0, 0}, fence};
-      const Space fenced = space_with(physics, space.masses, {wall});
+      const PlannedSpace fenced = space_with(physics, space.masses, {wall});
       const Arrival at = advance_one(fenced, photon);
       ASSERT_EQ(at.fate, Fate::hit);
       const double r = length(at.position);
@@ -92,7 +92,7 @@ TEST(ClosedForms, BouguersInvariantIsConservedAlongThePath) {
 
 TEST(ClosedForms, TheBlackDiscHasTheRadiusOfCapture) {
   for (const double min_force : {0.0, 0.01}) {
-    const Space space = one_mass(1e-8, min_force);
+    const PlannedSpace space = one_mass(1e-8, min_force);
     const double start = -400.0;
     double low = 3.0 * m, high = 4.0 * m;
     while (high - low > 1e-9 * m) {
@@ -110,7 +110,7 @@ TEST(ClosedForms, TheBlackDiscHasTheRadiusOfCapture) {
 }
 
 TEST(ClosedForms, CaptureOutsideTheInfluenceIsTheHorizonItself) {
-  const Space space = one_mass(1e-8, 1e5);  // R < r_s
+  const PlannedSpace space = one_mass(1e-8, 1e5);  // R < r_s
   ASSERT_LT(space.masses[0].influence, space.masses[0].schwarzschild);
   const double edge = space.masses[0].schwarzschild;
   EXPECT_EQ(advance_one(space, photon_at({-50, edge * (1 - 1e-9), 0}, {1, 0, 0})).fate,
@@ -120,7 +120,7 @@ TEST(ClosedForms, CaptureOutsideTheInfluenceIsTheHorizonItself) {
 }
 
 TEST(ClosedForms, AbsorptionHappensOnTheHorizon) {
-  const Space space = one_mass(1e-6, 0.01);
+  const PlannedSpace space = one_mass(1e-6, 0.01);
   for (double share = 0.0; share < 3.29; share += 0.3) {
     const Arrival arrival = advance_one(space, photon_at({-500, share * m, 0}, {1, 0, 0}));
     ASSERT_EQ(arrival.fate, Fate::absorbed);
@@ -129,7 +129,7 @@ TEST(ClosedForms, AbsorptionHappensOnTheHorizon) {
 }
 
 TEST(ClosedForms, APathIsReversible) {
-  const Space space = one_mass(1e-8, 0.01);
+  const PlannedSpace space = one_mass(1e-8, 0.01);
   const Arrival there = advance_one(space, photon_at({-500, 5 * m, 3}, {1, 0, 0}));
   const Vec3d far = there.position + there.direction * 100.0;
   const Arrival back = advance_one(space, photon_at(far, -there.direction));
@@ -144,7 +144,7 @@ TEST(ClosedForms, AStartInsideAHorizonEndsAtLengthZero) {
 }
 
 TEST(ClosedForms, NothingOrbitsOneMassOutsideItsHorizon) {
-  const Space space = one_mass(1e-6, 0.01);
+  const PlannedSpace space = one_mass(1e-6, 0.01);
   double most = 0.0;
   for (double share = 3.298; share < 4.0; share *= 1.00001) {
     const Arrival arrival = advance_one(space, photon_at({-500, share * m, 0}, {1, 0, 0}));

@@ -46,7 +46,8 @@ BentScene bent_scene(Random& random) {
   return scene;
 }
 
-Space bent_space(const BentScene& scene, std::string_view coupling, int depth, double tolerance) {
+PlannedSpace bent_space(const BentScene& scene, std::string_view coupling, int depth,
+                        double tolerance) {
   Physics physics = physics_with(tolerance, scene.min_force);
   physics.portal_gravity = coupling;
   physics.portal_gravity_depth = depth;
@@ -63,7 +64,7 @@ std::vector<Photon> photons_about(const BentScene& scene, Random& random, int co
   return photons;
 }
 
-std::vector<Arrival> arrivals_of(const Space& space, const std::vector<Photon>& photons) {
+std::vector<Arrival> arrivals_of(const PlannedSpace& space, const std::vector<Photon>& photons) {
   std::vector<Arrival> arrivals(photons.size());
   advance(space, photons, arrivals, Engine::scalar);
   return arrivals;

@@ -32,7 +32,7 @@ TEST(Drift, AddsWhatStepsErrAndLeadsAsideOnStraightWays) {
 
 /// Two portals face each other, and a mass stands between: light that goes from one to the other
 /// passes it again and again, on the same side or on the other.
-Space hall(double tolerance) {
+PlannedSpace hall(double tolerance) {
   const Physics physics = physics_with(tolerance, 0.5);
   const auto pair = portal_pair({{-9, -9, -5}, {9, -9, -5}, {9, 9, -5}, {-9, 9, -5}},
                                 {{9, -9, 5}, {-9, -9, 5}, {-9, 9, 5}, {9, 9, 5}});
@@ -46,7 +46,7 @@ struct Compared {
 
 Compared compared(Engine engine) {
   const double tolerance = 1e-4;
-  const Space space = hall(tolerance), exact = hall(1e-9);
+  const PlannedSpace space = hall(tolerance), exact = hall(1e-9);
   Random random(20);
   std::vector<Photon> photons;
   for (int i = 0; i < 600; ++i)

@@ -83,7 +83,7 @@ class RoomCheck {
   }
 
   const FlatRoom& room_;
-  Space space_;
+  PlannedSpace space_;
   double blur_;
   PlainTracer tracer_;
   Random random_;

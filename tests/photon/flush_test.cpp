@@ -23,7 +23,7 @@ std::vector<Photon> photons_of(const World& world) {
   return photons;
 }
 
-std::vector<Arrival> arrivals_of(const Space& space, const std::vector<Photon>& photons,
+std::vector<Arrival> arrivals_of(const PlannedSpace& space, const std::vector<Photon>& photons,
                                  Engine engine) {
   std::vector<Arrival> arrivals(photons.size());
   advance(space, photons, arrivals, engine);
@@ -108,7 +108,7 @@ TEST(Flush, APictureIsSeenWholeInAnyOrderAndFromBothSides) {
     photon.direction =
         photon.direction - wall.normal() * (2.0 * dot(photon.direction, wall.normal()));
   }
-  const Space turned(world.space.physics, 16, {shapes[1], shapes[0]}, {}, {});
+  const PlannedSpace turned(world.space.physics, 16, {shapes[1], shapes[0]}, {}, {});
   const auto expected = arrivals_of(world.space, before, Engine::scalar);
   int amiss = 0;
   for (std::size_t i = 0; i < before.size(); ++i)
@@ -147,7 +147,7 @@ TEST(Flush, PairsBackToBackInOnePlaneAreADoorWithTwoSides) {
 TEST(Flush, APairInOnePlaceIsAnOpenWindow) {
   const World world = compiled(pair_in_one_place);
   const std::vector<Photon> photons = photons_of(world);
-  const Space open(world.space.physics, 16, {}, {}, world.space.masses);
+  const PlannedSpace open(world.space.physics, 16, {}, {}, world.space.masses);
   const auto expected = arrivals_of(open, photons, Engine::scalar);
   for (const Engine engine : both_engines) {
     const auto arrivals = arrivals_of(world.space, photons, engine);
@@ -186,7 +186,7 @@ TEST(Flush, FacingPairsAreAnEndlessCorridorHoweverCloseTheyAre) {
     for (const Engine engine : both_engines) {
       // What enters A, which looks up, leaves B, which looks down on A from right above it.
       std::vector<Portal> portals = portal_pair(square(0.0, 1.0), square(gap, -1.0));
-      const Space space = space_with(physics_with(1e-4), {}, {}, portals);
+      const PlannedSpace space = space_with(physics_with(1e-4), {}, {}, portals);
       const auto arrivals = arrivals_of(space, shower(), engine);
       EXPECT_EQ(count(arrivals, is_lost), 196) << gap;
     }
@@ -195,7 +195,7 @@ TEST(Flush, FacingPairsAreAnEndlessCorridorHoweverCloseTheyAre) {
 TEST(Flush, AnExitCloselyBehindItsEntranceLetsAllLightGo) {
   for (const double gap : {1e-2, 1e-5, 1e-6, 1e-7})
     for (const Engine engine : both_engines) {
-      const Space space =
+      const PlannedSpace space =
           space_with(physics_with(1e-4), {}, {}, portal_pair(square(0.0, 1.0), square(-gap, -1.0)));
       for (const Arrival& arrival : arrivals_of(space, shower(), engine)) {
         EXPECT_EQ(arrival.fate, Fate::escaped) << gap;
@@ -208,7 +208,7 @@ TEST(Flush, WhatMeetsTheBackOfATwoSidedPortalLeavesTheBackOfItsPair) {
   std::vector<Portal> portals = portal_pair({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}},
                                             {{7, -1, 1}, {7, -1, -1}, {7, 1, -1}, {7, 1, 1}});
   for (Portal& portal : portals) portal.two_sided = true;
-  const Space space = space_with(physics_with(1e-4), {}, {}, portals);
+  const PlannedSpace space = space_with(physics_with(1e-4), {}, {}, portals);
   const Rigid through = portals[0].through;
   std::vector<Photon> photons;
   for (const double side : {1.0, -1.0})
@@ -252,8 +252,8 @@ TEST(Flush, TwoOneSidedPairsBackToBackAreAsGoodAsOneOfTwoSides) {
        {"none", "closest-point", "shortest-path", "graviton-map", "portal-mass"}) {
     Physics with = physics;
     with.portal_gravity = coupling;
-    const Space one = space_with(with, masses, {}, two_sided);
-    const Space two = space_with(with, masses, {}, separate);
+    const PlannedSpace one = space_with(with, masses, {}, two_sided);
+    const PlannedSpace two = space_with(with, masses, {}, separate);
     std::vector<Photon> photons = shower(), more = photons;
     for (Photon& photon : more) {
       photon.position.z = -photon.position.z;

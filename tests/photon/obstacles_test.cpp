@@ -32,7 +32,7 @@ std::vector<Shape> room(Vec3d center, double half) {
 }
 
 /// A photon that starts on a wall, mirrored as it arrived.
-Photon mirrored(const Space& space, const Arrival& arrival) {
+Photon mirrored(const PlannedSpace& space, const Arrival& arrival) {
   const Vec3d n = space.surfaces.surface_at(arrival.object, arrival.face, arrival.position).normal;
   Photon photon =
       photon_at(arrival.position, arrival.direction - n * (2 * dot(n, arrival.direction)));
@@ -48,7 +48,7 @@ TEST_P(ClosedRoom, KeepsEveryBentPathAndNeverMeetsAWallTwice) {
   const double half = 4.0;
   const Physics physics = physics_with(1e-4);
   // Light enough to let paths pass, heavy enough to bend them all.
-  Space space = space_with(physics, {mass_at(center, 300.0, physics)}, room(center, half));
+  PlannedSpace space = space_with(physics, {mass_at(center, 300.0, physics)}, room(center, half));
   Random random(3);
   const int paths = scaled(1000000), bounces = 50;
   int taken = 0;
@@ -75,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(NearAndFar, ClosedRoom, testing::Values(0.0, 1e5));
 TEST(Obstacles, APathThatIsBentLessThanRoundingStillMeetsTheWall) {
   for (const double gm : {1e-3, 1e-8, 1e-12, 1e-15}) {
     const Physics physics = physics_with(1e-4, gm / 3000.0);  // it acts in all of the room
-    const Space space =
+    const PlannedSpace space =
         space_with(physics, {mass_at({1.3, 0.7, -0.4}, gm, physics)}, room({0.5, -1, 2}, 7.0));
     Random random(5);
     for (int i = 0; i < scaled(3000); ++i) {
@@ -91,7 +91,7 @@ TEST(Obstacles, AWallWithinAnInfluenceIsMetAfterAFlightFromAnother) {
   const std::vector<Mass> masses = {mass_at({0, 0, 0}, 20.0, physics),
                                     mass_at({12, 0, 0}, 20.0, physics)};
   const std::array<Vec3d, 4> wall = {{{12, -9, -9}, {12, 9, -9}, {12, 9, 9}, {12, -9, 9}}};
-  const Space space = space_with(physics, masses, {Quad(wall)});
+  const PlannedSpace space = space_with(physics, masses, {Quad(wall)});
   Random random(9);
   for (const Engine engine : {Engine::scalar, Engine::automatic}) {
     for (int i = 0; i < scaled(2000); ++i) {
@@ -110,8 +110,8 @@ TEST(Obstacles, AWallWithinAnInfluenceIsMetAfterAFlightFromAnother) {
 TEST(Obstacles, AClosedMeshKeepsEveryBentPathInAndOut) {
   const Physics physics = physics_with(1e-4);
   const Vec3d center{3, -1, 2};
-  const Space space = space_with(physics, {mass_at(center + Vec3d{1, 0, 0}, 300.0, physics)},
-                                 {Mesh(globe(60, center, 4.0, false))});
+  const PlannedSpace space = space_with(physics, {mass_at(center + Vec3d{1, 0, 0}, 300.0, physics)},
+                                        {Mesh(globe(60, center, 4.0, false))});
   Random random(8);
   std::vector<Photon> photons;
   for (int i = 0; i < scaled(20000); ++i)
@@ -143,7 +143,7 @@ TEST(Obstacles, AHitLiesOnTheCurveAndOnTheSurface) {
   for (int i = 0; i < scaled(2000); ++i) {
     const Vec3d center = random.point(6.0);
     const double radius = random.uniform(0.2, 2.0);
-    const Space space =
+    const PlannedSpace space =
         space_with(physics, {mass_at({0, 0, 0}, 2000, physics)}, {Sphere(center, radius)});
     const Photon photon = photon_at(random.direction() * 20.0, random.direction());
     const Arrival arrival = advance_one(space, photon);
@@ -156,7 +156,7 @@ TEST(Obstacles, AHitLiesOnTheCurveAndOnTheSurface) {
 TEST(Obstacles, ASmallSphereOnABentPathIsNotPassed) {
   const Physics physics = physics_with(1e-4);
   const std::vector<Mass> masses = {mass_at({0, 0, 0}, 2000, physics)};
-  const Space bare = space_with(physics, masses);
+  const PlannedSpace bare = space_with(physics, masses);
   Random random(6);
   for (int i = 0; i < scaled(500); ++i) {
     const Photon photon = photon_at({-30, random.uniform(4, 12), random.uniform(-2, 2)}, {1, 0, 0});
@@ -165,7 +165,7 @@ TEST(Obstacles, ASmallSphereOnABentPathIsNotPassed) {
     ASSERT_EQ(free.fate, Fate::escaped);
     const auto& way = path_trace.stretches[0];
     const Vec3d target = way[2 + random.bits() % (way.size() - 4)];
-    const Space space = space_with(physics, masses, {Sphere(target, 1e-3)});
+    const PlannedSpace space = space_with(physics, masses, {Sphere(target, 1e-3)});
     EXPECT_EQ(advance_one(space, photon).fate, Fate::hit);
   }
 }
@@ -176,8 +176,8 @@ TEST(Portals, APairThatMapsToTheIdentityChangesNothing) {
   // B's front is A's back side, at the same place: what enters A goes on where it is.
   const auto pair = portal_pair({{-2, -2, 0}, {2, -2, 0}, {2, 2, 0}, {-2, 2, 0}},
                                 {{2, -2, 0}, {-2, -2, 0}, {-2, 2, 0}, {2, 2, 0}});
-  const Space with = space_with(physics, masses, {}, pair);
-  const Space without = space_with(physics, masses);
+  const PlannedSpace with = space_with(physics, masses, {}, pair);
+  const PlannedSpace without = space_with(physics, masses);
   Random random(7);
   int crossed = 0;
   for (int i = 0; i < scaled(2000); ++i) {
@@ -194,7 +194,7 @@ TEST(Portals, APairThatMapsToTheIdentityChangesNothing) {
 TEST(Portals, CrossingsBeyondTheLimitLoseThePhoton) {
   const auto pair = portal_pair({{-2, -2, 0}, {2, -2, 0}, {2, 2, 0}, {-2, 2, 0}},
                                 {{2, -2, 5}, {-2, -2, 5}, {-2, 2, 5}, {2, 2, 5}});
-  const Space space = space_with(physics_with(1e-4), {}, {}, pair);
+  const PlannedSpace space = space_with(physics_with(1e-4), {}, {}, pair);
   const Arrival arrival = advance_one(space, photon_at({0.1, 0.2, 3}, {0, 0, -1}));
   EXPECT_EQ(arrival.fate, Fate::lost);
   EXPECT_EQ(arrival.crossings, 16u);
@@ -208,7 +208,7 @@ TEST(Fates, APhotonThatTurnsWithoutEndIsTrapped) {
   Mass mass = mass_at({0, 0, 0}, 2000, physics);
   mass.horizon = false;
   mass.core = 0.2;  // a transparent mass so dense that circular orbits exist outside its core
-  const Space space = space_with(physics, {mass});
+  const PlannedSpace space = space_with(physics, {mass});
   const double m = 2000 / 2025.0;
   int trapped = 0;
   for (double r = 0.1 * m; r < 1.2 * m; r *= 1.02) {

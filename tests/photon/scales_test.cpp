@@ -14,7 +14,7 @@ namespace portalens::test {
 namespace {
 
 /// Two masses, of which one has a core, a pair of portals and a ball; all lengths times `s`.
-Space space_of_size(double s, const char* coupling) {
+PlannedSpace space_of_size(double s, const char* coupling) {
   Physics physics = physics_with(1e-4, 0.05 / s);
   physics.portal_gravity = coupling;
   physics.max_length *= s;
@@ -29,7 +29,7 @@ Space space_of_size(double s, const char* coupling) {
                     std::move(portals));
 }
 
-std::vector<Arrival> arrivals_in(const Space& space, double s, Engine engine) {
+std::vector<Arrival> arrivals_in(const PlannedSpace& space, double s, Engine engine) {
   Random random(5);
   std::vector<Photon> photons;
   for (int i = 0; i < scaled(150); ++i)
@@ -46,7 +46,7 @@ TEST_P(ScaleOfCoupling, LightTakesTheSameWaysAtEverySizeWithEveryEngine) {
   const auto expected = arrivals_in(space_of_size(1.0, GetParam()), 1.0, Engine::scalar);
   for (int power = -12; power <= 12; power += 3) {
     const double s = std::pow(10.0, power);
-    const Space space = space_of_size(s, GetParam());
+    const PlannedSpace space = space_of_size(s, GetParam());
     for (const Engine engine : {Engine::scalar, Engine::automatic}) {
       const auto arrivals = arrivals_in(space, s, engine);
       std::size_t unlike = 0;
@@ -71,7 +71,7 @@ TEST_P(ScaleOfCoupling, LanesTakeWhatFloatsHoldAndSayWhyNotTheRest) {
   for (const double s : {1e-4, 1e-2, 1.0, 1e3, 1e5})
     EXPECT_TRUE(space_of_size(s, GetParam()).lanes) << s;
   for (const double s : {1e-12, 1e-9, 1e9, 1e12}) {
-    const Space space = space_of_size(s, GetParam());
+    const PlannedSpace space = space_of_size(s, GetParam());
     EXPECT_FALSE(space.lanes) << s;
     EXPECT_NE(space.no_lanes_because.find("another unit of length"), std::string::npos)
         << space.no_lanes_because;
@@ -84,7 +84,7 @@ INSTANTIATE_TEST_SUITE_P(Couplings, ScaleOfCoupling,
 
 std::string refusal_of(const Physics& physics, std::vector<Mass> masses,
                        std::vector<Portal> portals = {}) {
-  const Space space = space_with(physics, std::move(masses), {}, std::move(portals));
+  const PlannedSpace space = space_with(physics, std::move(masses), {}, std::move(portals));
   EXPECT_EQ(space.lanes == nullptr, !space.no_lanes_because.empty());
   return space.no_lanes_because;
 }

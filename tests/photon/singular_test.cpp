@@ -13,7 +13,7 @@ namespace portalens::test {
 namespace {
 
 /// The fate of one photon by whatever engine the space takes.
-Arrival fastest(const Space& space, const Photon& photon) {
+Arrival fastest(const PlannedSpace& space, const Photon& photon) {
   Arrival arrival;
   advance(space, {&photon, 1}, {&arrival, 1});
   return arrival;
@@ -23,7 +23,7 @@ TEST(Singular, LightThatBeginsInABareMassIsLostWithEveryEngine) {
   const Physics physics = physics_with(1e-4);
   Mass bare = mass_at({1, 2, 3}, 0.5, physics);
   bare.horizon = false;
-  const Space space = space_with(physics, {bare}, {Sphere({1, 2, -2}, 1.0)});
+  const PlannedSpace space = space_with(physics, {bare}, {Sphere({1, 2, -2}, 1.0)});
   ASSERT_TRUE(space.lanes);
   for (const Vec3d direction : {Vec3d{0, 0, -1}, Vec3d{1, 0, 0}, Vec3d{0.3, -0.5, 0.7}}) {
     const Photon photon = photon_at(bare.center, direction);
@@ -36,7 +36,7 @@ TEST(Singular, LightThatBeginsBesideABareMassWindsRoundItWithEveryEngine) {
   const Physics physics = physics_with(1e-4);
   Mass bare = mass_at({0, 0, 0}, 0.5, physics);
   bare.horizon = false;
-  const Space space = space_with(physics, {bare});
+  const PlannedSpace space = space_with(physics, {bare});
   const Photon photon = photon_at({0, 1e-12, 0}, {0, 0, -1});
   EXPECT_EQ(fastest(space, photon).fate, advance_one(space, photon).fate);
 }
@@ -46,7 +46,7 @@ TEST(Singular, LightThatBeginsInTheMiddleOfACoreFliesStraightOut) {
   Mass cluster = mass_at({0, 0, 0}, 50, physics);
   cluster.core = 0.5;
   cluster.horizon = false;
-  const Space space = space_with(physics, {cluster});
+  const PlannedSpace space = space_with(physics, {cluster});
   const Photon photon = photon_at({0, 0, 0}, {0.6, 0, -0.8});
   for (const Arrival& arrival : {fastest(space, photon), advance_one(space, photon)}) {
     EXPECT_EQ(arrival.fate, Fate::escaped);
@@ -57,8 +57,8 @@ TEST(Singular, LightThatBeginsInTheMiddleOfACoreFliesStraightOut) {
 TEST(Singular, AMassOfNothingChangesNothing) {
   const Physics physics = physics_with(1e-4);
   const Mass heavy = mass_at({0, 3, 0}, 100, physics), nothing = mass_at({0, 0, 0}, 0, physics);
-  const Space with = space_with(physics, {heavy, nothing, mass_at({0, 0, -2}, 0, physics)});
-  const Space without = space_with(physics, {heavy});
+  const PlannedSpace with = space_with(physics, {heavy, nothing, mass_at({0, 0, -2}, 0, physics)});
+  const PlannedSpace without = space_with(physics, {heavy});
   ASSERT_TRUE(with.lanes);
   for (const Vec3d from : {Vec3d{0, 0, 5}, Vec3d{0, 0, 0}, Vec3d{0, 0, 600}}) {
     const Photon photon = photon_at(from, {0, 0, -1});  // straight at it
@@ -70,7 +70,7 @@ TEST(Singular, AMassOfNothingChangesNothing) {
 }
 
 /// A pair of squares, the second one turned; and a mass on it, or near.
-Space pair_with(const char* coupling, Vec3d at_mass, double core = 0.0) {
+PlannedSpace pair_with(const char* coupling, Vec3d at_mass, double core = 0.0) {
   Physics physics = physics_with(1e-4, 0.05);
   physics.portal_gravity = coupling;
   physics.max_steps = 20000;
@@ -98,7 +98,7 @@ class SingularCoupling : public testing::TestWithParam<const char*> {};
 
 TEST_P(SingularCoupling, LightMeetsOneFateWithEveryEngineWhereverTheMassIs) {
   for (const Place& place : places) {
-    const Space space = pair_with(GetParam(), place.at);
+    const PlannedSpace space = pair_with(GetParam(), place.at);
     Random random(23);
     std::vector<Photon> photons;
     for (int i = 0; i < scaled(150); ++i)
@@ -122,7 +122,7 @@ INSTANTIATE_TEST_SUITE_P(Couplings, SingularCoupling,
 
 TEST(Singular, MassesThatBindLightThroughPortalsAreFound) {
   const auto found = [](const char* coupling, Vec3d at, double core = 0.0) {
-    const Space space = pair_with(coupling, at, core);
+    const PlannedSpace space = pair_with(coupling, at, core);
     return bound_light(coupling, space.portals.portals(), space.masses, space.physics.c);
   };
   for (const char* coupling : {"closest-point", "graviton-map", "shortest-path"})

@@ -39,7 +39,7 @@ std::vector<Portal> random_pair(test::Random& random, Vec3d at) {
 }
 
 /// A few things about `at`, some of them over each other.
-Space random_space(test::Random& random, Vec3d at) {
+PlannedSpace random_space(test::Random& random, Vec3d at) {
   const auto place = [&] { return at + random.point(3); };
   std::vector<Shape> shapes;
   for (int i = 0; i < 4; ++i) shapes.push_back(random_quad(random, place()));
@@ -61,14 +61,14 @@ Space random_space(test::Random& random, Vec3d at) {
                      masses);
 }
 
-Vec3d sample_of_some(const Space& space, test::Random& random) {
+Vec3d sample_of_some(const PlannedSpace& space, test::Random& random) {
   const Shape& shape = space.surfaces.shapes()[static_cast<std::size_t>(random.uniform(0, 9))];
   const double u1 = random.uniform(0, 1), u2 = random.uniform(0, 1);
   return std::visit([&](const auto& s) { return s.sample(u1, u2).position; }, shape);
 }
 
 /// The place that a photon reaches from `from`, and how it leaves towards `to`; or `from`.
-ShadowQuery query_where_met(const Space& space, Vec3d from, Vec3d toward, Vec3d to) {
+ShadowQuery query_where_met(const PlannedSpace& space, Vec3d from, Vec3d toward, Vec3d to) {
   ShadowQuery query;
   query.from = from;
   query.to = to;
@@ -83,7 +83,7 @@ ShadowQuery query_where_met(const Space& space, Vec3d from, Vec3d toward, Vec3d 
 }
 
 /// The same from somewhere; or one from anywhere.
-ShadowQuery random_query(const Space& space, test::Random& random, Vec3d at) {
+ShadowQuery random_query(const PlannedSpace& space, test::Random& random, Vec3d at) {
   const Vec3d from = at + random.point(5);
   const Vec3d to =
       random.uniform(0, 1) < 0.5 ? sample_of_some(space, random) : at + random.point(5);
@@ -100,7 +100,7 @@ TEST(OcclusionPretest, WhatItTakesForFreeIsVisible) {
   int free = 0, visible_ways = 0, from_surfaces = 0;
   for (int i = 0; i < test::scaled(200); ++i) {
     const Vec3d at = random.point(i % 4 == 0 ? 1e6 : 10);
-    const Space space = random_space(random, at);
+    const PlannedSpace space = random_space(random, at);
     const OcclusionPretest screen(space);
     for (int k = 0; k < 500; ++k) {
       const ShadowQuery query = random_query(space, random, at);
@@ -122,7 +122,7 @@ TEST(OcclusionPretest, NarrowedToNeighboursItTakesWhatItTookForFreeAndOnlyVisibl
   OcclusionPretest near;
   for (int i = 0; i < test::scaled(2000); ++i) {
     const Vec3d at = random.point(i % 4 == 0 ? 1e6 : 10);
-    const Space space = random_space(random, at);
+    const PlannedSpace space = random_space(random, at);
     const OcclusionPretest screen(space);
     const double spread = std::pow(10.0, random.uniform(-4, 1));
     const Vec3d eye = at + random.point(5), aim = sample_of_some(space, random);
@@ -154,7 +154,7 @@ TEST(OcclusionPretest, NarrowedToNeighboursItTakesWhatItTookForFreeAndOnlyVisibl
 TEST(OcclusionPretest, AQuadThatIsLeftAndALampThatIsReachedDontHideTheWay) {
   const Quad floor(std::array<Vec3d, 4>{{{-9, 0, 9}, {9, 0, 9}, {9, 0, -9}, {-9, 0, -9}}});
   const Quad lamp(std::array<Vec3d, 4>{{{-1, 4, -1}, {1, 4, -1}, {1, 4, 1}, {-1, 4, 1}}});
-  const Space space = plain_space({floor, lamp, Sphere({5, 1, 0}, 1)});
+  const PlannedSpace space = plain_space({floor, lamp, Sphere({5, 1, 0}, 1)});
   const OcclusionPretest screen(space);
   test::Random random(2);
   for (int i = 0; i < 1000; ++i) {
@@ -176,7 +176,7 @@ TEST(OcclusionPretest, AQuadThatIsLeftAndALampThatIsReachedDontHideTheWay) {
 
 TEST(OcclusionPretest, OnlyWhoLeavesAQuadUpwardsIsFreeOfItThere) {
   const Quad floor(std::array<Vec3d, 4>{{{-9, 0, 9}, {9, 0, 9}, {9, 0, -9}, {-9, 0, -9}}});
-  const Space space = plain_space({floor});
+  const PlannedSpace space = plain_space({floor});
   ShadowQuery query;
   query.from = {0.3, 0, 0.2};
   query.to = {1, 4, 0};
@@ -207,7 +207,7 @@ TEST(OcclusionPretest, LeavesManyThingsAndWaysThroughPortalsToOthers) {
 }
 
 TEST(OcclusionPretest, WaysThatAreNoWaysAreLeftToOthers) {
-  const Space space = plain_space({Sphere({0, 0, 0}, 1)});
+  const PlannedSpace space = plain_space({Sphere({0, 0, 0}, 1)});
   const OcclusionPretest screen(space);
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -44,7 +44,7 @@ Arrival fate_of(Fate fate) {
 }
 
 TEST(Shade, APointLightLeavesTheRadianceOfLambertsLaw) {
-  const Space space = plain_space({floor_quad(5)});
+  const PlannedSpace space = plain_space({floor_quad(5)});
   const Rgb rho{0.2, 0.5, 0.8};
   const Appearance look =
       appearance_with({diffuse_material(rho)}, {point_light({0, 3, 4}, {7, 8, 9})});
@@ -56,7 +56,7 @@ TEST(Shade, APointLightLeavesTheRadianceOfLambertsLaw) {
 }
 
 TEST(Shade, ASurfaceSeenFromBelowIsLitFromBelow) {
-  const Space space = plain_space({floor_quad(5)});
+  const PlannedSpace space = plain_space({floor_quad(5)});
   const Material grey = diffuse_material({0.5, 0.5, 0.5});
   const Appearance above = appearance_with({grey}, {point_light({0, 2, 0}, {1, 1, 1})});
   const Appearance below = appearance_with({grey}, {point_light({0, -2, 0}, {1, 1, 1})});
@@ -68,7 +68,7 @@ TEST(Shade, ASurfaceSeenFromBelowIsLitFromBelow) {
 }
 
 TEST(Shade, AmbientLightLeavesItsShareAndEmissionItself) {
-  const Space space = plain_space({floor_quad(5)});
+  const PlannedSpace space = plain_space({floor_quad(5)});
   Appearance look = appearance_with({diffuse_material({0.2, 0.5, 0.8}, {1, 2, 3})}, {});
   look.limits.ambient = {0.1, 0.2, 0.3};
   for (const double side : {-1.0, 1.0}) {
@@ -81,7 +81,7 @@ TEST(Shade, InAFurnaceAWhiteSurfaceShowsTheRadianceOfTheWalls) {
   // A diffuse square inside an emitting cube, or ball: E = pi L on either side of it.
   const Shape walls[] = {Cube({0, 0, 0}, {4, 4, 4}, {0, 0, 0}), Sphere({0, 0, 0}, 2.5)};
   for (const Shape& wall : walls) {
-    const Space space = plain_space({floor_quad(0.1), wall});
+    const PlannedSpace space = plain_space({floor_quad(0.1), wall});
     Appearance look = appearance_with({diffuse_material({0.5, 1.0, 0.25})},
                                       {ShapeLight("walls", wall, {2, 2, 2})}, 2);
     look.limits.shadow_samples = 4;
@@ -98,7 +98,7 @@ TEST(Shade, InAFurnaceAWhiteSurfaceShowsTheRadianceOfTheWalls) {
 
 TEST(Shade, StrataReduceTheNoiseOfAnAreaLight) {
   const Quad panel = floor_quad(1, 1);
-  const Space space = plain_space({floor_quad(5), panel});
+  const PlannedSpace space = plain_space({floor_quad(5), panel});
   Appearance look =
       appearance_with({diffuse_material({1, 1, 1})}, {ShapeLight("panel", panel, {1, 1, 1})}, 2);
   const Arrival arrival = hit_at({0.5, 0, 0.2}, {0.2, -1, 0.1});
@@ -114,7 +114,7 @@ TEST(Shade, StrataReduceTheNoiseOfAnAreaLight) {
 }
 
 TEST(Shade, TheSkyTheDarkAndTheLostHaveTheirColours) {
-  const Space space = plain_space({});
+  const PlannedSpace space = plain_space({});
   Appearance look = appearance_with({}, {}, 0);
   look.environment.color = {1, 2, 3};
   look.limits.lost_color = {1, 0, 1};
@@ -131,7 +131,7 @@ TEST(Shade, TheSkyTheDarkAndTheLostHaveTheirColours) {
 }
 
 TEST(Shade, AMirrorSendsItsShareOnUpToTheLimit) {
-  const Space space = plain_space({floor_quad(5)});
+  const PlannedSpace space = plain_space({floor_quad(5)});
   Material mirror = diffuse_material({0, 0, 0});
   mirror.reflective = {0.9, 0.5, 0.1};
   Appearance look = appearance_with({mirror}, {});
@@ -160,7 +160,7 @@ TEST(Shade, AMirrorSendsItsShareOnUpToTheLimit) {
 }
 
 TEST(Shade, WhatIsBlackIsNotSentOn) {
-  const Space space = plain_space({floor_quad(5)});
+  const PlannedSpace space = plain_space({floor_quad(5)});
   const Appearance look =
       appearance_with({diffuse_material({0, 0, 0})}, {point_light({0, 1, 0}, {1, 1, 1})});
   const ShadeOutput output = shade_one(space, look, hit_at({0, 0, 0}, {0, -1, 0}));
@@ -168,7 +168,7 @@ TEST(Shade, WhatIsBlackIsNotSentOn) {
 }
 
 TEST(Shade, APhotonsLightDoesNotDependOnItsCompany) {
-  const Space space = plain_space({floor_quad(5)});
+  const PlannedSpace space = plain_space({floor_quad(5)});
   Material material = diffuse_material({0.5, 0.5, 0.5});
   material.reflective = {0.3, 0.3, 0.3};
   material.roughness = 0.5;
@@ -197,7 +197,7 @@ TEST(Shade, APhotonsLightDoesNotDependOnItsCompany) {
 }
 
 TEST(Shade, RandomNumbersAreUsedOnlyWhereItIsSaid) {
-  const Space space = plain_space({floor_quad(5)});
+  const PlannedSpace space = plain_space({floor_quad(5)});
   Material plain = diffuse_material({0.5, 0.5, 0.5}), rough = plain;
   rough.reflective = {0.3, 0.3, 0.3};
   rough.roughness = 0.5;
@@ -220,7 +220,7 @@ TEST(Shade, RandomNumbersAreUsedOnlyWhereItIsSaid) {
 }
 
 TEST(Shade, ARoughFurnaceGivesBackLessThanItGets) {
-  const Space space = plain_space({floor_quad(5)});
+  const PlannedSpace space = plain_space({floor_quad(5)});
   Material material = diffuse_material({0, 0, 0});
   material.reflective = {1, 1, 1};
   for (const double roughness : {0.1, 0.5, 1.0}) {

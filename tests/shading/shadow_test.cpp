@@ -31,7 +31,7 @@ std::vector<Portal> window_pair() {
 }
 
 TEST(Shadow, IsCastBySurfacesBetween) {
-  const Space space = plain_space({Sphere({0, 0, 0}, 1)});
+  const PlannedSpace space = plain_space({Sphere({0, 0, 0}, 1)});
   EXPECT_FALSE(visible(space, between({0, 0, -3}, {0, 0, 3})));
   EXPECT_FALSE(visible(space, between({0, 0, 0}, {0, 0, 3})));
   EXPECT_TRUE(visible(space, between({0, 1.01, -3}, {0, 1.01, 3})));
@@ -40,7 +40,7 @@ TEST(Shadow, IsCastBySurfacesBetween) {
 }
 
 TEST(Shadow, ALightOnASurfaceIsNotHiddenByIt) {
-  const Space space = plain_space({Sphere({0, 0, 0}, 1)});
+  const PlannedSpace space = plain_space({Sphere({0, 0, 0}, 1)});
   test::Random random(1);
   for (int i = 0; i < 1000; ++i) {
     const Vec3d on = random.direction(), from = random.direction() * random.uniform(1.1, 5);
@@ -51,7 +51,7 @@ TEST(Shadow, ALightOnASurfaceIsNotHiddenByIt) {
 }
 
 TEST(Shadow, ASurfaceDoesNotHideItselfFromTheSideOnWhichTheRayLeaves) {
-  const Space space = plain_space({Sphere({100, 0, 0}, 1)});
+  const PlannedSpace space = plain_space({Sphere({100, 0, 0}, 1)});
   test::Random random(2);
   for (int i = 0; i < 1000; ++i) {
     const Vec3d n = random.direction(), to = random.direction();
@@ -70,8 +70,8 @@ TEST(Shadow, IsCastByHorizonsAndNotByOtherMasses) {
   hole.influence = 100.0;
   Mass cluster = hole;
   cluster.horizon = false;
-  const Space with_hole = plain_space({}, {}, {hole}),
-              with_cluster = plain_space({}, {}, {cluster});
+  const PlannedSpace with_hole = plain_space({}, {}, {hole}),
+                     with_cluster = plain_space({}, {}, {cluster});
   EXPECT_FALSE(visible(with_hole, between({0, 0.99, -3}, {0, 0.99, 3})));
   EXPECT_TRUE(visible(with_hole, between({0, 1.01, -3}, {0, 1.01, 3})));
   EXPECT_TRUE(visible(with_hole, between({0, 0, 2}, {0, 0, 3})));
@@ -81,7 +81,7 @@ TEST(Shadow, IsCastByHorizonsAndNotByOtherMasses) {
 TEST(Shadow, IsCastByFrontsAndMaterialBacksButNotByOpenBacks) {
   std::vector<Portal> portals = window_pair();
   const Vec3d front{0.2, 0.1, 2}, back{0.2, 0.1, -2};
-  const Space open = plain_space({}, portals);
+  const PlannedSpace open = plain_space({}, portals);
   EXPECT_FALSE(visible(open, between(front, back)));
   EXPECT_TRUE(visible(open, between(back, front)));
   EXPECT_TRUE(visible(open, between({2, 0, 2}, {2, 0, -2})));
@@ -103,8 +103,8 @@ TEST(Shadow, ThroughAPortalEqualsTheUnfoldedSceneWithoutPortals) {
   hole.schwarzschild = 0.2;
   Mass hole_image = hole;
   hole_image.center = through.move_back(hole.center);
-  const Space folded = plain_space({here, there}, portals, {hole});
-  const Space unfolded = plain_space({here, image}, {}, {hole_image});
+  const PlannedSpace folded = plain_space({here, there}, portals, {hole});
+  const PlannedSpace unfolded = plain_space({here, image}, {}, {hole_image});
 
   test::Random random(3);
   int seen = 0, hidden = 0, outside = 0;
@@ -133,7 +133,7 @@ TEST(Shadow, AWallInThePlaneOfAPortalDoesNotCloseIt) {
       corners.push_back(portal.frame.origin + (v - portal.frame.origin) * 3.0);
     walls.push_back(Quad(corners));
   }
-  const Space space = plain_space(walls, portals);
+  const PlannedSpace space = plain_space(walls, portals);
   ShadowQuery query = between({0.1, 0.2, 2}, {-0.3, 0.4, -2});
   query.portal = 0;
   EXPECT_TRUE(visible(space, query));
@@ -155,7 +155,7 @@ TEST(Shadow, LightThroughAPortalIsThatOfItsImageTimesTheTint) {
   light_image.position = image;
   light.intensity = light_image.intensity = {4, 4, 4};
   const Material grey = test::diffuse_material({0.5, 0.5, 0.5});
-  const Space folded = plain_space({floor}, portals), unfolded = plain_space({floor});
+  const PlannedSpace folded = plain_space({floor}, portals), unfolded = plain_space({floor});
   const Appearance look = test::appearance_with({grey}, {light});
   const Appearance look_unfolded = test::appearance_with({grey}, {light_image});
   test::Random random(4);
@@ -181,7 +181,7 @@ TEST(Shadow, LightThroughAPortalIsThatOfItsImageTimesTheTint) {
 TEST(Shadow, AMaterialBackIsShadedFromBehindAndShinesThere) {
   std::vector<Portal> portals = window_pair();
   portals[0].back_material = 0;
-  const Space space = plain_space({}, portals);
+  const PlannedSpace space = plain_space({}, portals);
   PointLight light;
   light.position = {0, 0, -2};
   light.intensity = {4, 4, 4};

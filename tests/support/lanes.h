@@ -9,12 +9,12 @@
 
 #include "lanes/driver.h"
 #include "lanes/instruction_sets.h"
-#include "photon/space.h"
+#include "lanes/planned_space.h"
 
 namespace portalens::test {
 
 /// @pre the space has lanes, and this processor the set
-inline std::vector<Arrival> in_lanes(const Space& space, const std::vector<Photon>& photons,
+inline std::vector<Arrival> in_lanes(const PlannedSpace& space, const std::vector<Photon>& photons,
                                      std::string_view isa) {
   std::vector<Arrival> arrivals(photons.size());
   advance_in_lanes(space, *space.lanes, lane_engine(isa).step, photons, arrivals);
@@ -31,7 +31,7 @@ inline void expect_same(const Arrival& a, const Arrival& b, std::size_t photon) 
   ASSERT_EQ(a.steps, b.steps) << photon;
 }
 
-inline void expect_same_bits_with_every_set(const Space& space,
+inline void expect_same_bits_with_every_set(const PlannedSpace& space,
                                             const std::vector<Photon>& photons) {
   ASSERT_TRUE(space.lanes);
   const auto expected = in_lanes(space, photons, "sse4");

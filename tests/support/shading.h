@@ -10,8 +10,8 @@
 
 namespace portalens::test {
 
-inline Space plain_space(std::vector<Shape> shapes, std::vector<Portal> portals = {},
-                         std::vector<Mass> masses = {}) {
+inline PlannedSpace plain_space(std::vector<Shape> shapes, std::vector<Portal> portals = {},
+                                std::vector<Mass> masses = {}) {
   return space_with(physics_with(1e-4), std::move(masses), std::move(shapes), std::move(portals));
 }
 
@@ -46,8 +46,8 @@ inline Arrival hit_at(Vec3d x, Vec3d direction, std::uint32_t object = 0, std::u
   return arrival;
 }
 
-inline ShadeOutput shade_one(const Space& space, const Appearance& look, const Arrival& arrival,
-                             std::uint64_t key = 1, Photon photon = {}) {
+inline ShadeOutput shade_one(const PlannedSpace& space, const Appearance& look,
+                             const Arrival& arrival, std::uint64_t key = 1, Photon photon = {}) {
   photon.random_key = key;
   ShadeOutput output;
   shade(space, look, {&photon, 1}, {&arrival, 1}, output);
@@ -55,7 +55,7 @@ inline ShadeOutput shade_one(const Space& space, const Appearance& look, const A
 }
 
 /// Everything but what secondary photons would bring.
-inline Rgb light_from(const Space& space, const ShadeOutput& output) {
+inline Rgb light_from(const PlannedSpace& space, const ShadeOutput& output) {
   Rgb sum;
   for (const Contribution& contribution : output.light) sum += contribution.radiance;
   for (const ShadowQuery& query : output.shadows)

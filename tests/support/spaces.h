@@ -32,9 +32,9 @@ inline Physics physics_with(double tolerance, double min_force = 0.01) {
   return physics;
 }
 
-inline Space space_with(const Physics& physics, std::vector<Mass> masses,
-                        std::vector<Shape> shapes = {}, std::vector<Portal> portals = {}) {
-  return Space(physics, 16, std::move(shapes), std::move(portals), std::move(masses));
+inline PlannedSpace space_with(const Physics& physics, std::vector<Mass> masses,
+                               std::vector<Shape> shapes = {}, std::vector<Portal> portals = {}) {
+  return PlannedSpace(Space(physics, 16, std::move(shapes), std::move(portals), std::move(masses)));
 }
 
 inline Photon photon_at(Vec3d position, Vec3d direction) {
@@ -44,7 +44,7 @@ inline Photon photon_at(Vec3d position, Vec3d direction) {
   return photon;
 }
 
-inline Arrival advance_one(const Space& space, const Photon& photon) {
+inline Arrival advance_one(const PlannedSpace& space, const Photon& photon) {
   Arrival arrival;
   advance(space, {&photon, 1}, {&arrival, 1}, Engine::scalar);
   return arrival;
