@@ -7,8 +7,8 @@
 #include <optional>
 #include <utility>
 
-#include "lanes/border.h"
 #include "lanes/log.h"
+#include "lanes/states.h"
 #include "photon/advance.h"
 #include "photon/radau.h"
 #include "photon/space.h"
@@ -36,14 +36,16 @@ class LaneDriver {
         arrivals_(arrivals),
         records_(records),
         log_(plan.center),
-        shapes_(space.surfaces.shapes()) {}
+        shapes_(space.surfaces.shapes()),
+        states_(space, plan),
+        lanes_(states_.rows()) {}
 
   void run() {
     for (int lane = 0; lane < lane_count; ++lane) refill(lane);
     while (in_flight_ > 0) {
       std::uint32_t events = step_(plan_.scene, lanes_);
       // Only where the step was not taken can a lane still be as it was put there.
-      const std::uint32_t was_fresh = std::exchange(fresh_, 0);
+      const std::uint32_t was_fresh = states_.take_fresh();
       if (!records_.empty()) note_step(events);
       for (; events != 0; events &= events - 1) {
         const int lane = std::countr_zero(events);
@@ -64,10 +66,10 @@ class LaneDriver {
     // -1 where nothing is met: a float below 0 is no unsigned number.
     const auto object = static_cast<std::uint32_t>(static_cast<int>(lanes_.object[lane]));
     Arrival& arrival = arrivals_[photon_[lane]];
-    const bool whole = (whole_ >> lane & 1) != 0;
+    const bool whole = states_.is_whole(lane);
     if (whole) arrival = Arrival{};
     const double begun = arrival.length;
-    State state = fresh ? put_state(lane) : state_of(lane);
+    State state = fresh ? states_.put_state(lane, photons_[photon_[lane]]) : states_.state_of(lane);
     const double length = fresh ? begun : lanes_.length[lane];
     if (!fresh) {
       arrival.length = length;
@@ -82,7 +84,7 @@ class LaneDriver {
       consult(lane, event, object, state, begun);
       return;
     }
-    if (!is_number(lane)) {
+    if (!states_.is_number(lane)) {
       arrival.fate = Fate::lost;
     } else if (event == LaneEvent::hit) {
       const double rest = distance_to_surface(object, {state.position, state.direction}, length);
@@ -108,19 +110,12 @@ class LaneDriver {
     end(lane);
   }
 
-  /// Asked of the floats: their sum is no number where one of them is none.
-  [[nodiscard]] bool is_number(int lane) const {
-    return std::isfinite(lanes_.x[lane] + lanes_.y[lane] + lanes_.z[lane] + lanes_.tx[lane] +
-                         lanes_.ty[lane] + lanes_.tz[lane]);
-  }
-
   /// Lets the scalar engine see to what lanes don't. Never inlined: it is seldom, and large.
   [[gnu::noinline]] void consult(int lane, LaneEvent event, std::uint32_t object,
                                  const State& state, double begun) {
     Arrival& arrival = arrivals_[photon_[lane]];
-    const bool whole = (whole_ >> lane & 1) != 0;
     if (event == LaneEvent::portal) object = portal_at(object, state);
-    const PathStart start = whole ? PathStart{photons_[photon_[lane]].guard} : starts_[lane];
+    const PathStart start = states_.start_of(lane, photons_[photon_[lane]]);
     const Drift<double> drift{lanes_.astray[lane], lanes_.askew[lane]};
     const RayState way{state, start.after(arrival.length - begun), arrival, drift};
     if (is_told(lane) && event == LaneEvent::horizon && LanePlan::is_isolated(object))
@@ -146,7 +141,7 @@ class LaneDriver {
       arrival = scalar_.way().arrival;
       arrival.handed_over = handed_over;
       if (is_told(lane)) note_place(lane, scalar_.way().state);
-      put_back(lane, scalar_.way(), scalar_.free_length());
+      states_.put_back(lane, scalar_.way(), scalar_.free_length());
     }
   }
 
@@ -154,8 +149,8 @@ class LaneDriver {
   /// help, by the scalar engine.
   [[gnu::noinline]] void resign(int lane) {
     const bool drifts = lanes_.askew[lane] > lanes_.max_drift[lane];
-    if (drifts && strictness_[lane] < max_lane_strictness) {
-      begin(lane, strictness_[lane] + 1);
+    if (drifts && states_.strictness(lane) < max_lane_strictness) {
+      begin(lane, states_.strictness(lane) + 1);
       return;
     }
     if (is_told(lane)) records_[photon_[lane]].lose_track();
@@ -184,7 +179,7 @@ class LaneDriver {
     const IsolatedMass& isolated = plan_.isolated.masses[object - first_isolated_object];
     PathRecord& record = records_[photon_[lane]];
     note_crossing(space_.masses[isolated.mass], plan_.isolated.tables[isolated.table],
-                  state_of(lane), lanes_.length[lane], lanes_.turning[lane], record);
+                  states_.state_of(lane), lanes_.length[lane], lanes_.turning[lane], record);
   }
 
   /// Where lane `lane` is, at the length that its arrival tells.
@@ -262,89 +257,15 @@ class LaneDriver {
     return space_.portals.uppermost({index, side, 0.0}, {state.position, state.direction}).portal;
   }
 
-  /// Where the lane's photon was put.
-  [[nodiscard]] State put_state(int lane) const {
-    if ((whole_ >> lane & 1) == 0) return states_[lane];
-    const Photon& photon = photons_[photon_[lane]];
-    return {photon.position, photon.direction};
-  }
-
-  [[nodiscard]] State state_of(int lane) const {
-    const Vec3d t{lanes_.tx[lane], lanes_.ty[lane], lanes_.tz[lane]};
-    // Of length 1 but for a float's rounding: one step of Newton's method leaves nothing of that.
-    return {plan_.center + Vec3d{lanes_.x[lane], lanes_.y[lane], lanes_.z[lane]},
-            t * (1.5 - 0.5 * dot(t, t))};
-  }
-
-  /// @param clear  nothing is met within that much path
-  void put(int lane, const State& state, const SelfIntersectionGuard& guard, double clear) {
-    fresh_ |= std::uint32_t{1} << lane;
-    const Vec3d x = state.position - plan_.center;
-    lanes_.x[lane] = static_cast<float>(x.x);
-    lanes_.y[lane] = static_cast<float>(x.y);
-    lanes_.z[lane] = static_cast<float>(x.z);
-    lanes_.tx[lane] = static_cast<float>(state.direction.x);
-    lanes_.ty[lane] = static_cast<float>(state.direction.y);
-    lanes_.tz[lane] = static_cast<float>(state.direction.z);
-    lanes_.departed[lane] = -1.0f;
-    lanes_.departed_side[lane] = static_cast<float>(guard.side);
-    if (guard.shape != no_object) {
-      lanes_.departed[lane] = static_cast<float>(guard.shape);
-      const LeftPlane left = space_.surfaces.flush().left_by(guard);
-      if (left.plane != LeftPlane::none) {
-        lanes_.departed[lane] = LanePlan::departed_from(left.plane);
-        lanes_.departed_side[lane] = static_cast<float>(left.side);
-      }
-    }
-    lanes_.clear[lane] = static_cast<float>(clear);
-    lanes_.longest[lane] = never;
-    lanes_.live[lane] = 1.0f;
-  }
-
-  /// The lane's photon goes on from there; how far it has come, its arrival tells.
-  void put_back(int lane, const RayState& way, double clear) {
-    whole_ &= ~(std::uint32_t{1} << lane);
-    states_[lane] = way.state;
-    starts_[lane] = way.start;
-    put(lane, way.state, way.start.guard, clear);
-    lanes_.length[lane] = static_cast<float>(way.arrival.length);
-    lanes_.turning[lane] = static_cast<float>(way.arrival.turning);
-    lanes_.steps[lane] = static_cast<float>(way.arrival.steps);
-    lanes_.astray[lane] = static_cast<float>(way.drift.place);
-    lanes_.askew[lane] = static_cast<float>(way.drift.direction);
-  }
-
-  void rest(int lane) {
-    lanes_.x[lane] = lanes_.y[lane] = lanes_.z[lane] = static_cast<float>(space_.extent);
-    lanes_.tx[lane] = 1.0f;
-    lanes_.ty[lane] = lanes_.tz[lane] = 0.0f;
-    lanes_.length[lane] = lanes_.turning[lane] = lanes_.steps[lane] = 0.0f;
-    lanes_.departed[lane] = -1.0f;
-    lanes_.departed_side[lane] = 1.0f;
-    lanes_.clear[lane] = 0.0f;
-    lanes_.longest[lane] = never;
-    lanes_.astray[lane] = lanes_.askew[lane] = 0.0f;
-    lanes_.judged[lane] = lanes_.shorter[lane] = 1.0f;
-    lanes_.max_drift[lane] = plan_.scene.max_drift;
-    lanes_.live[lane] = 0.0f;
-  }
-
-  /// Puts its photon at its start.
+  /// Puts the lane's photon at its start.
   /// @param strictness  which `lane_strictness`
   void begin(int lane, int strictness) {
-    const std::size_t index = photon_[lane];
-    const Photon& photon = photons_[index];
-    whole_ |= std::uint32_t{1} << lane;
-    put(lane, {photon.position, photon.direction}, photon.guard, 0.0);
-    lanes_.length[lane] = lanes_.turning[lane] = lanes_.steps[lane] = 0.0f;
-    lanes_.astray[lane] = lanes_.askew[lane] = 0.0f;
-    strictness_[lane] = strictness;
-    lanes_.judged[lane] = lane_strictness[strictness].judged;
-    lanes_.max_drift[lane] = plan_.scene.max_drift * lane_strictness[strictness].drifts;
-    lanes_.shorter[lane] = lane_strictness[strictness].shorter;
+    const Photon& photon = photons_[photon_[lane]];
+    states_.begin(lane, photon, strictness);
     if (!is_told(lane)) return;
-    records_[index].restart();
-    records_[index].pass(photon.position, 0.0, 0.0);
+    PathRecord& record = records_[photon_[lane]];
+    record.restart();
+    record.pass(photon.position, 0.0, 0.0);
   }
 
   void refill(int lane) {
@@ -362,7 +283,7 @@ class LaneDriver {
       ++in_flight_;
       return;
     }
-    rest(lane);
+    states_.rest(lane);
   }
 
   /// Most photons of a batch begin where the one before did.
@@ -391,14 +312,9 @@ class LaneDriver {
   LaneLog log_;                    ///< of what is not in the path records yet
   std::span<const Shape> shapes_;
   std::optional<Vec3d> begun_;  ///< the last place from which a photon could begin
-  Lanes lanes_;
-  // Where they were put, in double; of those whose whole path is in lanes, the photon tells.
-  std::array<State, lane_count> states_;
-  std::array<PathStart, lane_count> starts_;
+  LaneStates states_;
+  Lanes& lanes_;
   std::array<std::size_t, lane_count> photon_{};
-  std::array<int, lane_count> strictness_{};  ///< which `lane_strictness`
-  std::uint32_t whole_ = 0;  ///< lanes whose photon's path is theirs from its start, a bit each
-  std::uint32_t fresh_ = 0;  ///< lanes that have not moved since they were filled, a bit each
   std::size_t next_ = 0;
   int in_flight_ = 0;
 };

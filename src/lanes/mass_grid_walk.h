@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "lanes/border.h"
+#include "lanes/marks.h"
 #include "lanes/path.h"
 #include "lanes/rectangle.h"
 #include "lanes/scene.h"
@@ -16,38 +17,6 @@ namespace portalens {
 inline constexpr float natural_numbers[] = {0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10,
                                             11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21,
                                             22, 23, 24, 25, 26, 27, 28, 29, 30, 31};
-
-/// A set of masses.
-template <class R>
-class LaneMarks {
- public:
-  /// Empty.
-  explicit LaneMarks(int masses) : groups_((masses + 4095) / 4096) {
-    for (int g = 0; g < groups_; ++g) used_[g] = 0;
-  }
-  void add(std::uint32_t mass) {
-    const std::uint32_t word = mass / 64, group = word / 64;
-    const std::uint64_t bit = std::uint64_t{1} << (word % 64);
-    const std::uint64_t old = (used_[group] & bit) != 0 ? words_[word] : 0;
-    words_[word] = old | std::uint64_t{1} << (mass % 64);
-    used_[group] |= bit;
-  }
-  /// Calls back with each, ascending.
-  template <class Callback>
-  void for_each(const Callback& callback) const {
-    for (int g = 0; g < groups_; ++g)
-      for (std::uint64_t used = used_[g]; used != 0; used &= used - 1) {
-        const auto word = static_cast<std::uint32_t>(64 * g + __builtin_ctzll(used));
-        for (std::uint64_t rest = words_[word]; rest != 0; rest &= rest - 1)
-          callback(64 * word + static_cast<std::uint32_t>(__builtin_ctzll(rest)));
-      }
-  }
-
- private:
-  int groups_;
-  std::uint64_t used_[max_lane_many / 4096];  ///< a bit for each word that holds any
-  std::uint64_t words_[max_lane_many / 64];   ///< of no meaning where its bit is not set
-};
 
 /// One of the balls for each lane; of radius 0 where there is none.
 template <class R>

@@ -14,7 +14,7 @@ namespace {
 
 /// The beam is taken wider than the four path records are from its middle.
 constexpr float widening = 1.1f;
-/// How often a piece of a beam is halved that comes near an obstacle.
+/// How often a section of a beam is halved that comes near an obstacle.
 constexpr int max_halvings = 5;
 /// How far off a border may still be felt, in radii of the beam: as far as the probe rays lie that
 /// the light between the path records is told by.
@@ -99,13 +99,13 @@ BeamGuard::BeamGuard(const Space& space) : space_(&space) {
   }
   const auto portals = space.portals.portals();
   for (std::uint32_t i = 0; i < portals.size(); ++i) {
-    // In pieces of four corners, or three.
+    // In sections of four corners, or three.
     const std::vector<Vec3d>& corners = portals[i].vertices;
     for (std::size_t k = 1; k + 1 < corners.size(); k += 2) {
-      const std::array<Vec3d, 4> piece = {corners[0], corners[k], corners[k + 1],
-                                          corners[std::min(k + 2, corners.size() - 1)]};
+      const std::array<Vec3d, 4> section = {corners[0], corners[k], corners[k + 1],
+                                            corners[std::min(k + 2, corners.size() - 1)]};
       const std::size_t count = std::min<std::size_t>(4, corners.size() - k + 1);
-      const Quad face(std::span<const Vec3d>(piece).first(count));
+      const Quad face(std::span<const Vec3d>(section).first(count));
       add(&faces_.emplace_back(face), face.bounds(), Met::portal_back, i);
     }
   }
@@ -134,13 +134,15 @@ void BeamGuard::add(const Shape* shape, Vec3d center, double radius, Met kind,
   obstacles_.push_back({shape, center, radius, near_center, near_radius, kind, index, place});
 }
 
-/// The light between four path records, piece by piece.
+/// The light between four path records, section by section.
 class BeamGuard::Beam {
  public:
   /// @pre as `clear` has it
   explicit Beam(const std::array<const PathRecord*, 4>& records);
 
-  [[nodiscard]] std::span<const Partial> pieces() const { return std::span(pieces_).first(count_); }
+  [[nodiscard]] std::span<const Section> sections() const {
+    return std::span(pieces_).first(count_);
+  }
 
  private:
   void add(Reached from, Reached to, float turning, float from_radius, float to_radius,
@@ -148,7 +150,7 @@ class BeamGuard::Beam {
   void mark_ends();
 
   std::size_t count_ = 0;
-  std::array<Partial, PathRecord::max_points> pieces_;
+  std::array<Section, PathRecord::max_points> pieces_;
 };
 
 BeamGuard::Beam::Beam(const std::array<const PathRecord*, 4>& records) {
@@ -190,19 +192,19 @@ BeamGuard::Beam::Beam(const std::array<const PathRecord*, 4>& records) {
 
 void BeamGuard::Beam::add(Reached from, Reached to, float turning, float from_radius,
                           float to_radius, const Waypoint& point, bool last) {
-  Partial& piece = pieces_[count_++];
+  Section& section = pieces_[count_++];
   const float length = to[3] - from[3];
   const float rounding = 2e-6f * (std::fabs(to[0]) + std::fabs(to[1]) + std::fabs(to[2]));
   // Twice as far as a path can be from the straight one between two of its points.
   const float aside = 0.5f * length * turning + rounding;
-  piece.from = from;
-  piece.to = to;
-  piece.from_radius = from_radius + aside;
-  piece.to_radius = to_radius + aside;
+  section.from = from;
+  section.to = to;
+  section.from_radius = from_radius + aside;
+  section.to_radius = to_radius + aside;
   // The path is no shorter than the straight one.
-  piece.reach = 0.5f * length + rounding + piece.radius();
-  piece.stretch = point.stretch;
-  piece.last = last;
+  section.reach = 0.5f * length + rounding + section.radius();
+  section.stretch = point.stretch;
+  section.last = last;
 }
 
 /// What a stretch begins or ends at, its beam touches there: on as much of the path as the places
@@ -222,45 +224,45 @@ void BeamGuard::Beam::mark_ends() {
 
 /// On a plane the paths arrive from as far as they come slanting to it, if they have sunk for as
 /// long: who skims over it first may meet it there.
-bool BeamGuard::sinks(const Obstacle& obstacle, const Partial& piece, const Partial& final) {
+bool BeamGuard::sinks(const Obstacle& obstacle, const Section& section, const Section& final) {
   const auto* quad = obstacle.shape ? std::get_if<Quad>(obstacle.shape) : nullptr;
   if (!quad) return false;
-  const auto slope = [&](const Partial& part) {
+  const auto slope = [&](const Section& part) {
     const Vec3d along = place_of(part.to - part.from);
     return dot(along, quad->normal()) / length(along);
   };
-  const double arriving = slope(final), left = final.to[3] - piece.to[3];
+  const double arriving = slope(final), left = final.to[3] - section.to[3];
   return left * std::fabs(arriving) <= 2.0 * final.to_radius &&
-         slope(piece) * arriving >= 0.5 * arriving * arriving;
+         slope(section) * arriving >= 0.5 * arriving * arriving;
 }
 
-bool BeamGuard::met(const Obstacle& obstacle, const Partial& piece, const Partial& final,
+bool BeamGuard::met(const Obstacle& obstacle, const Section& section, const Section& final,
                     const PathRecord& record, const Arrival& end) const {
-  const bool last = piece.stretch == record.crossings();
+  const bool last = section.stretch == record.crossings();
   if (obstacle.kind != Met::portal_back)
     return last && end.met == obstacle.kind && end.object == obstacle.index &&
-           (piece.arrives || sinks(obstacle, piece, final));
+           (section.arrives || sinks(obstacle, section, final));
   const auto portals = space_->portals.portals();
-  return (piece.arrives && !last && record.portal_after(piece.stretch) == obstacle.index) ||
-         (piece.leaves && piece.stretch > 0 &&
-          portals[record.portal_after(piece.stretch - 1)].pair == obstacle.index);
+  return (section.arrives && !last && record.portal_after(section.stretch) == obstacle.index) ||
+         (section.leaves && section.stretch > 0 &&
+          portals[record.portal_after(section.stretch - 1)].pair == obstacle.index);
 }
 
-bool BeamGuard::hidden(const Obstacle& obstacle, const Partial& piece, const PathRecord& record,
+bool BeamGuard::hidden(const Obstacle& obstacle, const Section& section, const PathRecord& record,
                        const Arrival& end) const {
   if (!obstacle.place) return false;
   const FlushFaces& flush = space_->surfaces.flush();
   const auto shape_count = static_cast<std::uint32_t>(space_->surfaces.shapes().size());
   const std::uint32_t plane = obstacle.place->plane;
-  if (piece.leaves && piece.stretch > 0) {
-    const std::uint32_t entered = record.portal_after(piece.stretch - 1);
+  if (section.leaves && section.stretch > 0) {
+    const std::uint32_t entered = record.portal_after(section.stretch - 1);
     if (space_->portals.plane_of(space_->portals.portals()[entered].pair).plane == plane)
       return true;
   }
-  if (!piece.arrives) return false;
+  if (!section.arrives) return false;
   FaceId met{no_object, 0};
-  if (piece.stretch < record.crossings())
-    met = {shape_count + record.portal_after(piece.stretch), 0};
+  if (section.stretch < record.crossings())
+    met = {shape_count + record.portal_after(section.stretch), 0};
   else if (end.met == Met::surface)
     met = {end.object, end.face};
   else if (end.met == Met::portal_back)
@@ -272,14 +274,14 @@ bool BeamGuard::hidden(const Obstacle& obstacle, const Partial& piece, const Pat
 }
 
 /// Whether the obstacle can't be touched, as their balls tell.
-bool BeamGuard::apart(const Partial& piece, const Obstacle& obstacle) {
-  const Reached between = (piece.from + piece.to) * 0.5f - obstacle.near_center;
-  const float reach = piece.reach + obstacle.near_radius;
+bool BeamGuard::apart(const Section& section, const Obstacle& obstacle) {
+  const Reached between = (section.from + section.to) * 0.5f - obstacle.near_center;
+  const float reach = section.reach + obstacle.near_radius;
   return square_of_place(between) > reach * reach;
 }
 
-/// Halves the piece where it comes near.
-bool BeamGuard::touches(const Partial& piece, const Obstacle& obstacle) {
+/// Halves the section where it comes near.
+bool BeamGuard::touches(const Section& section, const Obstacle& obstacle) {
   const auto* quad = obstacle.shape ? std::get_if<Quad>(obstacle.shape) : nullptr;
   const auto near = [&](const auto& self, Vec3d from, Vec3d to, double from_radius,
                         double to_radius, int halvings) -> bool {
@@ -298,17 +300,17 @@ bool BeamGuard::touches(const Partial& piece, const Obstacle& obstacle) {
     return self(self, from, middle, from_radius, middle_radius, halvings - 1) ||
            self(self, middle, to, middle_radius, to_radius, halvings - 1);
   };
-  return near(near, place_of(piece.from), place_of(piece.to), piece.from_radius, piece.to_radius,
-              max_halvings);
+  return near(near, place_of(section.from), place_of(section.to), section.from_radius,
+              section.to_radius, max_halvings);
 }
 
-bool BeamGuard::along_border(std::span<const Partial> beam, bool escapes) const {
+bool BeamGuard::along_border(std::span<const Section> beam, bool escapes) const {
   for (std::size_t begin = 0; begin < beam.size();) {
     std::size_t end = begin;
     while (!beam[end++].last) continue;
     const auto stretch = beam.subspan(begin, end - begin);
     float widest = 0.0f;
-    for (const Partial& piece : stretch) widest = std::max(widest, piece.radius());
+    for (const Section& section : stretch) widest = std::max(widest, section.radius());
     const bool runs_off = escapes && end == beam.size();
     for (const Mass& mass : space_->masses)
       if (is_felt(mass, widest) && along_sphere(stretch, mass, widest, runs_off)) return true;
@@ -331,7 +333,7 @@ bool BeamGuard::is_felt(const Mass& mass, double widest) const {
 
 /// Whether the border of an influence might be entered by some of the light, and not by all; or
 /// the light begins or ends beside it, so that some has been within for a while.
-bool BeamGuard::along_sphere(std::span<const Partial> stretch, const Mass& mass, double widest,
+bool BeamGuard::along_sphere(std::span<const Section> stretch, const Mass& mass, double widest,
                              bool runs_off) {
   const double radius = mass.influence;
   const auto distance_to = [&](Reached place) { return length(place_of(place) - mass.center); };
@@ -344,25 +346,26 @@ bool BeamGuard::along_sphere(std::span<const Partial> stretch, const Mass& mass,
   // Mostly it begins far within.
   if (begins < radius - border_reach * widest) return false;
   double least = std::numeric_limits<double>::infinity(), wide = 0.0;
-  for (const Partial& piece : stretch) {
-    const double reach = least + piece.reach;
-    const Vec3d middle = place_of((piece.from + piece.to) * 0.5f) - mass.center;
+  for (const Section& section : stretch) {
+    const double reach = least + section.reach;
+    const Vec3d middle = place_of((section.from + section.to) * 0.5f) - mass.center;
     if (dot(middle, middle) >= reach * reach) continue;
-    const Vec3d nearest = closest_on_segment(place_of(piece.from), place_of(piece.to), mass.center);
+    const Vec3d nearest =
+        closest_on_segment(place_of(section.from), place_of(section.to), mass.center);
     const double distance = length(nearest - mass.center);
-    if (distance < least) least = distance, wide = piece.radius();
+    if (distance < least) least = distance, wide = section.radius();
   }
   return beside(least, wide);
 }
 
 bool BeamGuard::clear(const std::array<const PathRecord*, 4>& records, const Arrival& end) const {
   const Beam beam(records);
-  const std::span<const Partial> pieces = beam.pieces();
-  if (along_border(pieces, end.fate == Fate::escaped)) return false;
+  const std::span<const Section> sections = beam.sections();
+  if (along_border(sections, end.fate == Fate::escaped)) return false;
   for (const Obstacle& obstacle : obstacles_)
-    for (const Partial& piece : pieces)
-      if (!apart(piece, obstacle) && !met(obstacle, piece, pieces.back(), *records[0], end) &&
-          !hidden(obstacle, piece, *records[0], end) && touches(piece, obstacle))
+    for (const Section& section : sections)
+      if (!apart(section, obstacle) && !met(obstacle, section, sections.back(), *records[0], end) &&
+          !hidden(obstacle, section, *records[0], end) && touches(section, obstacle))
         return false;
   return true;
 }

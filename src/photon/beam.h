@@ -55,9 +55,9 @@ class BeamGuard {
     /// Of a quad or a portal in whose plane something else lies, else null.
     const FlushFaces::Place* place;
   };
-  /// A piece of the beam: everything within `from_radius` at its start, growing evenly to
+  /// A section of the beam: everything within `from_radius` at its start, growing evenly to
   /// `to_radius` at its end. Without values: many of them lie side by side.
-  struct Partial {
+  struct Section {
     Reached from, to;
     float from_radius, to_radius;
     float reach;  ///< from its middle: radius of the ball that holds it
@@ -75,21 +75,21 @@ class BeamGuard {
 
   void add(const Shape* shape, const Box& box, Met kind, std::uint32_t index);
   void add(const Shape* shape, Vec3d center, double radius, Met kind, std::uint32_t index);
-  [[nodiscard]] static bool sinks(const Obstacle& obstacle, const Partial& piece,
-                                  const Partial& final);
-  /// @param final  the last piece of the beam
-  [[nodiscard]] bool met(const Obstacle& obstacle, const Partial& piece, const Partial& final,
+  [[nodiscard]] static bool sinks(const Obstacle& obstacle, const Section& section,
+                                  const Section& final);
+  /// @param final  the last section of the beam
+  [[nodiscard]] bool met(const Obstacle& obstacle, const Section& section, const Section& final,
                          const PathRecord& record, const Arrival& end) const;
   /// Whether it is flat and lies under what the path has met there, in one plane with it, or in the
   /// plane that the path has just left.
-  [[nodiscard]] bool hidden(const Obstacle& obstacle, const Partial& piece,
+  [[nodiscard]] bool hidden(const Obstacle& obstacle, const Section& section,
                             const PathRecord& record, const Arrival& end) const;
-  [[nodiscard]] static bool apart(const Partial& piece, const Obstacle& obstacle);
-  [[nodiscard]] static bool touches(const Partial& piece, const Obstacle& obstacle);
+  [[nodiscard]] static bool apart(const Section& section, const Obstacle& obstacle);
+  [[nodiscard]] static bool touches(const Section& section, const Obstacle& obstacle);
   /// @param escapes  whether it runs off to the sky in the end
-  [[nodiscard]] bool along_border(std::span<const Partial> beam, bool escapes) const;
+  [[nodiscard]] bool along_border(std::span<const Section> beam, bool escapes) const;
   [[nodiscard]] bool is_felt(const Mass& mass, double widest) const;
-  [[nodiscard]] static bool along_sphere(std::span<const Partial> stretch, const Mass& mass,
+  [[nodiscard]] static bool along_sphere(std::span<const Section> stretch, const Mass& mass,
                                          double widest, bool runs_off);
 
   const Space* space_;

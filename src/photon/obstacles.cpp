@@ -47,19 +47,19 @@ std::optional<Encounter> Obstacles::first(const Curve& curve, double free, doubl
                                           const PathStart& start) const {
   // A little less than that far: something may lie there.
   const double from = 0.99 * free, end = curve.length();
-  return in_partial(curve, {from, end, curve.position(from), curve.position(end)}, flatness, start);
+  return in_section(curve, {from, end, curve.position(from), curve.position(end)}, flatness, start);
 }
 
-std::optional<Encounter> Obstacles::in_partial(const Curve& curve, const Partial& piece,
+std::optional<Encounter> Obstacles::in_section(const Curve& curve, const Section& section,
                                                double flatness, const PathStart& start) const {
-  const double sagitta = curve.sagitta(piece.s1 - piece.s0);
-  const Segment chord{piece.x0, piece.x1};
-  const Vec3d along = piece.x1 - piece.x0;
+  const double sagitta = curve.sagitta(section.s1 - section.s0);
+  const Segment chord{section.x0, section.x1};
+  const Vec3d along = section.x1 - section.x0;
   const double chord_length = length(along);
   if (!(chord_length > 0.0)) return std::nullopt;
   // Halving ends where rounding makes it pointless, whatever was asked; and what the chord crosses
   // may seem to be as far off.
-  const double finest = 1e-13 * (length(piece.x0) + chord_length);
+  const double finest = 1e-13 * (length(section.x0) + chord_length);
   const double close = std::fmax(sagitta, finest);
   const bool flat = sagitta <= std::fmax(flatness, finest);
   // To ask what is met is as cheap as whether anything is near.
@@ -67,14 +67,14 @@ std::optional<Encounter> Obstacles::in_partial(const Curve& curve, const Partial
 
   if (flat) {
     const auto found =
-        first(Ray{piece.x0, along / chord_length}, chord_length, start.after(piece.s0));
+        first(Ray{section.x0, along / chord_length}, chord_length, start.after(section.s0));
     if (!found || sagitta <= finest) {
       if (!found) return std::nullopt;
       Encounter at = *found;
-      at.distance = piece.s0 + found->distance / chord_length * (piece.s1 - piece.s0);
+      at.distance = section.s0 + found->distance / chord_length * (section.s1 - section.s0);
       return at;
     }
-    if (const auto refined = refine(curve, piece, *found)) {
+    if (const auto refined = refine(curve, section, *found)) {
       if (refined->kind != Encounter::Kind::surface) return refined;
       const double s = refined->distance;
       Encounter seen =
@@ -84,19 +84,19 @@ std::optional<Encounter> Obstacles::in_partial(const Curve& curve, const Partial
     }
   }
 
-  const double middle = 0.5 * (piece.s0 + piece.s1);
+  const double middle = 0.5 * (section.s0 + section.s1);
   const Vec3d x = curve.position(middle);
-  if (const auto found = in_partial(curve, {piece.s0, middle, piece.x0, x}, flatness, start))
+  if (const auto found = in_section(curve, {section.s0, middle, section.x0, x}, flatness, start))
     return found;
-  return in_partial(curve, {middle, piece.s1, x, piece.x1}, flatness, start);
+  return in_section(curve, {middle, section.s1, x, section.x1}, flatness, start);
 }
 
 /// Newton's method: the tangent of the curve, met with the surface, gives the next guess.
-std::optional<Encounter> Obstacles::refine(const Curve& curve, const Partial& piece,
+std::optional<Encounter> Obstacles::refine(const Curve& curve, const Section& section,
                                            Encounter found) const {
-  const double span = piece.s1 - piece.s0;
-  const double chord = length(piece.x1 - piece.x0);
-  double s = piece.s0 + found.distance / chord * span;
+  const double span = section.s1 - section.s0;
+  const double chord = length(section.x1 - section.x0);
+  double s = section.s0 + found.distance / chord * span;
   for (int i = 0; i < 12; ++i) {
     const Ray tangent{curve.position(s), curve.direction(s)};
     std::optional<double> ahead;
@@ -108,7 +108,7 @@ std::optional<Encounter> Obstacles::refine(const Curve& curve, const Partial& pi
     }
     if (!ahead) return std::nullopt;
     s += *ahead;
-    if (s < piece.s0 - 0.1 * span || s > piece.s1 + 0.1 * span) return std::nullopt;
+    if (s < section.s0 - 0.1 * span || s > section.s1 + 0.1 * span) return std::nullopt;
     if (std::fabs(*ahead) <= 1e-14 * (1.0 + s + length(tangent.origin))) {
       found.distance = std::fmin(std::fmax(s, 0.0), curve.length());
       return found;

@@ -40,7 +40,7 @@ class Obstacles {
   Obstacles(const Accelerator& surfaces, const PortalSet& portals)
       : surfaces_(surfaces), portals_(portals) {}
 
-  /// The first encounter at 0 <= s <= length. Pieces of the curve whose chord passes within their
+  /// The first encounter at 0 <= s <= length. Sections of the curve whose chord passes within their
   /// sagitta of something are halved until the sagitta is below `flatness`; the hit is then refined
   /// on the curve itself.
   /// @param free  nothing is met before
@@ -65,13 +65,13 @@ class Obstacles {
   }
 
  private:
-  struct Partial {
+  struct Section {
     double s0, s1;
     Vec3d x0, x1;
   };
-  [[nodiscard]] std::optional<Encounter> in_partial(const Curve& curve, const Partial& piece,
+  [[nodiscard]] std::optional<Encounter> in_section(const Curve& curve, const Section& section,
                                                     double flatness, const PathStart& start) const;
-  [[nodiscard]] std::optional<Encounter> refine(const Curve& curve, const Partial& piece,
+  [[nodiscard]] std::optional<Encounter> refine(const Curve& curve, const Section& section,
                                                 Encounter found) const;
 
   const Accelerator& surfaces_;

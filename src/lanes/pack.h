@@ -1,0 +1,109 @@
+/// \file
+/// The lanes of one pack: what they hold, and how a step is written down.
+#pragma once
+
+#include "lanes/path.h"
+#include "lanes/scene.h"
+#include "photon/drift.h"
+
+namespace portalens {
+
+/// A row of `Lanes`.
+using LaneRow = float (Lanes::*)[lane_count];
+
+template <class R>
+class LanePack {
+ public:
+  using Mask = typename R::Mask;
+  using V = Vec3<R>;
+
+  LanePack(const LaneScene& scene, Lanes& lanes, int first)
+      : scene_(scene), lanes_(lanes), first_(first) {}
+
+  [[nodiscard]] R read(LaneRow row) const { return R::load(lanes_.*row + first_); }
+  [[nodiscard]] V position() const { return {read(&Lanes::x), read(&Lanes::y), read(&Lanes::z)}; }
+  [[nodiscard]] V direction() const {
+    return {read(&Lanes::tx), read(&Lanes::ty), read(&Lanes::tz)};
+  }
+  void write(LaneRow row, R fresh) const { fresh.store(lanes_.*row + first_); }
+  /// Where a lane stays, it keeps what it had.
+  void write(LaneRow row, Mask stays, R old, R fresh) const {
+    write(row, select(stays, old, fresh));
+  }
+
+  /// What a step does to the lanes that take it.
+  struct Move {
+    V from, along;  ///< where it begins
+    V place, direction;
+    R length, turning;
+    R clear;     ///< nothing that boxes hold is met within that much path from its end
+    R gradient;  ///< of the acceleration over c² at its start, 1/length²
+    R error;     ///< by which it may err, radians
+  };
+  /// What becomes of a path.
+  struct Path {
+    Mask within;  ///< it keeps the limits of length, turning and steps
+    R drifted;    ///< how much its direction has
+  };
+  [[nodiscard]] Path take(const Move& move, Mask stays) const {
+    write(&Lanes::x, stays, move.from.x, move.place.x);
+    write(&Lanes::y, stays, move.from.y, move.place.y);
+    write(&Lanes::z, stays, move.from.z, move.place.z);
+    write(&Lanes::tx, stays, move.along.x, move.direction.x);
+    write(&Lanes::ty, stays, move.along.y, move.direction.y);
+    write(&Lanes::tz, stays, move.along.z, move.direction.z);
+    write(&Lanes::clear, stays, read(&Lanes::clear), move.clear);
+    // After a short step a plane may still be as near as rounding.
+    write(&Lanes::departed, stays | (move.length < R(8) * R(scene_.ahead)), read(&Lanes::departed),
+          R(-1));
+    const R length = add(&Lanes::length, stays, move.length);
+    const R turning = add(&Lanes::turning, stays, move.turning);
+    const R steps = add(&Lanes::steps, stays, R(1));
+    return {(length <= R(scene_.max_length)) & (turning <= R(scene_.max_turning)) &
+                (steps <= R(scene_.max_steps)),
+            drift(move, stays)};
+  }
+
+  /// What is written where a step was found to end, or not to be taken; bit i for lane i where
+  /// there is an event.
+  [[nodiscard]] std::uint32_t tell(R event, R object) const {
+    write(&Lanes::event, event);
+    write(&Lanes::object, object);
+    return bits(event > R(0));
+  }
+
+  /// Which paths have drifted too far. One may until it is known where it leads: one that is
+  /// swallowed tells no direction.
+  [[nodiscard]] Mask has_drifted(R drifted, R event) const {
+    const Mask tells = (event > R(0)) & !(event == code(LaneEvent::horizon));
+    return drifted > select(tells, read(&Lanes::max_drift), R(scene_.max_absorbed));
+  }
+
+  [[nodiscard]] static R code(LaneEvent event) { return R(static_cast<int>(event)); }
+
+ private:
+  [[nodiscard]] R add(LaneRow row, Mask stays, R more) const {
+    const R old = read(row);
+    const R sum = select(stays, old, old + more);
+    write(row, sum);
+    return sum;
+  }
+  /// What the step and the rounding of where it ends add to what a way has drifted; how much its
+  /// direction then has.
+  [[nodiscard]] R drift(const Move& move, Mask stays) const {
+    const R rounding(6e-8);
+    const Drift<R> before{read(&Lanes::astray), read(&Lanes::askew)};
+    Drift<R> after = before;
+    after.pass(move.length, move.gradient, move.error + rounding);
+    const R size = span(move.place);
+    write(&Lanes::astray, stays, before.place, multiply_add(size, rounding, after.place));
+    write(&Lanes::askew, stays, before.direction, after.direction);
+    return select(stays, before.direction, after.direction);
+  }
+
+  const LaneScene& scene_;
+  Lanes& lanes_;
+  int first_;
+};
+
+}  // namespace portalens
