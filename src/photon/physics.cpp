@@ -6,7 +6,7 @@
 namespace portalens {
 namespace {
 
-constexpr std::int64_t max_steps = 1'000'000'000;
+constexpr std::int64_t max_allowed_steps = 1'000'000'000;
 constexpr std::int64_t max_depth = 16;
 constexpr std::int64_t max_resolution = 1024;
 
@@ -20,7 +20,7 @@ Physics Physics::from(Parameters& parameters) {
   physics.integrator = parameters.choice("integrator", Integrators::names, physics.integrator);
   physics.tolerance = parameters.number("tolerance", {1e-14, 1.0}, physics.tolerance);
   physics.step = parameters.number("step", positive, physics.step);
-  physics.max_steps = parameters.integer("max_steps", 1, max_steps, physics.max_steps);
+  physics.max_steps = parameters.integer("max_steps", 1, max_allowed_steps, physics.max_steps);
   physics.max_length = parameters.number("max_length", positive, physics.max_length);
   physics.max_turning = parameters.number("max_turning", positive, physics.max_turning);
   physics.portal_gravity =

@@ -3,7 +3,7 @@
 namespace portalens {
 namespace {
 
-constexpr std::int64_t max_bounces = 1000;
+constexpr std::int64_t max_allowed_bounces = 1000;
 constexpr std::int64_t max_shadow_samples = 1024;
 
 Triple as_triple(Rgb color) { return {color.x, color.y, color.z}; }
@@ -13,7 +13,7 @@ Triple as_triple(Rgb color) { return {color.x, color.y, color.z}; }
 ShadingLimits ShadingLimits::from(Parameters& parameters) {
   ShadingLimits limits;
   limits.max_bounces = static_cast<std::uint32_t>(
-      parameters.integer("max_bounces", 0, max_bounces, limits.max_bounces));
+      parameters.integer("max_bounces", 0, max_allowed_bounces, limits.max_bounces));
   limits.lost_color =
       to_vec3(parameters.triple("lost_color", non_negative, as_triple(limits.lost_color)));
   limits.shadow_samples = static_cast<std::uint32_t>(

@@ -19,7 +19,7 @@
 namespace portalens {
 namespace {
 
-constexpr std::int64_t max_crossings = 10'000;
+constexpr std::int64_t max_allowed_crossings = 10'000;
 constexpr std::int64_t max_pixels_along = 65'536;
 constexpr std::int64_t max_pixels = std::int64_t{1} << 28;
 constexpr std::int64_t max_samples = 1'000'000;
@@ -146,7 +146,7 @@ World compile(const Scene& scene, const CompileOptions& options) {
   std::uint32_t max_crossings = 16;
   look.limits = read_section(scene.shading, faults, [&](Parameters& parameters) {
     max_crossings = static_cast<std::uint32_t>(
-        parameters.integer("max_crossings", 0, max_crossings, max_crossings));
+        parameters.integer("max_crossings", 0, max_allowed_crossings, max_crossings));
     return ShadingLimits::from(parameters);
   });
   look.environment = read_section(scene.environment, faults, [&](Parameters& parameters) {
