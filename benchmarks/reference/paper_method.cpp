@@ -66,7 +66,7 @@ double meet(const Shape& shape, const Ray& ray, double high) {
 
 }  // namespace
 
-PaperMethod::PaperMethod(const PlannedSpace& space, double step, int depth)
+PaperMethod::PaperMethod(const Space& space, double step, int depth)
     : space_(space), step_(step), depth_(depth) {
   Box box = space.surfaces.bounds();
   for (const Portal& portal : space.portals.portals())

@@ -15,7 +15,7 @@ namespace portalens::reference {
 class PaperMethod {
  public:
   /// @param depth  of gravity through portals (closest point); 0 leaves it out
-  PaperMethod(const PlannedSpace& space, double step, int depth);
+  PaperMethod(const Space& space, double step, int depth);
 
   [[nodiscard]] Arrival advance(const Photon& photon) const;
 
@@ -23,7 +23,7 @@ class PaperMethod {
   [[nodiscard]] Vec3d acceleration(Vec3d x, int depth, std::uint32_t left_out) const;
   [[nodiscard]] bool beyond_everything(Vec3d x, Vec3d direction) const;
 
-  const PlannedSpace& space_;
+  const Space& space_;
   double step_;
   int depth_;
   std::vector<double> reach_;  ///< [depth][portal]: within it the portal acts

@@ -168,10 +168,10 @@ World compile(const Scene& scene, const CompileOptions& options) {
   look.materials = std::move(materials).take();
   for (Light& light : emitters(objects, look.materials)) look.lights.push_back(std::move(light));
   look.bodies = std::move(objects.bodies);
-  Space space(physics, max_crossings, std::move(objects.shapes), std::move(objects.portals),
-              std::move(objects.masses), camera.position);
+  PlannedSpace space(physics, max_crossings, std::move(objects.shapes), std::move(objects.portals),
+                     std::move(objects.masses), camera.position);
   World world{scene.file,
-              PlannedSpace(std::move(space)),
+              std::move(space),
               std::move(look),
               camera,
               film,

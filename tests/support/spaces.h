@@ -34,7 +34,7 @@ inline Physics physics_with(double tolerance, double min_force = 0.01) {
 
 inline PlannedSpace space_with(const Physics& physics, std::vector<Mass> masses,
                                std::vector<Shape> shapes = {}, std::vector<Portal> portals = {}) {
-  return PlannedSpace(Space(physics, 16, std::move(shapes), std::move(portals), std::move(masses)));
+  return {physics, 16, std::move(shapes), std::move(portals), std::move(masses)};
 }
 
 inline Photon photon_at(Vec3d position, Vec3d direction) {
