@@ -16,10 +16,7 @@ class LaneMeetings {
   using Mask = typename R::Mask;
   using V = Vec3<R>;
 
-  LaneMeetings(const LaneScene& scene, const LanePack<R>& pack)
-      : scene_(scene),
-        departed_(pack.read(&Lanes::departed)),
-        side_(pack.read(&Lanes::departed_side)) {}
+  LaneMeetings(const LaneScene& scene, const LanePack<R>& pack) : scene_(scene), pack_(pack) {}
 
   /// @param field    of the masses that may absorb, with what was decided at the step's start
   /// @param resigns  gets the lanes that are too near a mass that has no horizon
@@ -62,7 +59,8 @@ class LaneMeetings {
   }
 
   void find_portals(const LanePath<R>& path, LaneFinding<R>& found) const {
-    const bool leaves = any(departed_ <= R(first_departed_plane));
+    const R departed = pack_.read(&Lanes::departed), side = pack_.read(&Lanes::departed_side);
+    const bool leaves = any(departed <= R(first_departed_plane));
     for (int p = 0; p < scene_.portal_count; ++p) {
       const LanePortal& portal = scene_.portals[p];
       const V normal = spread<R>(portal.normal), origin = spread<R>(portal.origin);
@@ -71,8 +69,8 @@ class LaneMeetings {
       // What has just left its plane may lie a float's rounding on the other side of it.
       R slack(0);
       if (leaves) {
-        const Mask leaving = departed_ == R(portal.leaves);
-        z0 = select(leaving, side_ * R(2.0f * portal.facing * portal.tolerance), z0);
+        const Mask leaving = departed == R(portal.leaves);
+        z0 = select(leaving, side * R(2.0f * portal.facing * portal.tolerance), z0);
         slack = select(leaving, R(portal.tolerance), slack);
       }
       Mask crosses = (z0 >= R(-portal.tolerance)) & (z1 < -slack) & (z1 < z0);
@@ -90,15 +88,15 @@ class LaneMeetings {
   }
 
   void find_polygons(const LanePath<R>& path, LaneFinding<R>& found, Mask& doubtful) const {
-    const bool leaves = any((departed_ > R(-1)) | (departed_ < R(-1)));
+    const R departed = pack_.read(&Lanes::departed), side = pack_.read(&Lanes::departed_side);
+    const bool leaves = any((departed > R(-1)) | (departed < R(-1)));
     const R sagitta = span(path.end.direction * path.h - path.place.c1) * R(0.25);
     for (int p = 0; p < scene_.polygon_count; ++p) {
       const LanePolygon& polygon = scene_.polygons[p];
       const V normal = spread<R>(polygon.normal);
       R z0 = dot(path.place.c0, normal) - R(polygon.distance);
       const R z1 = dot(path.end.position, normal) - R(polygon.distance);
-      if (leaves)
-        z0 = select(departed_ == R(polygon.leaves), side_ * R(1e-20f * polygon.facing), z0);
+      if (leaves) z0 = select(departed == R(polygon.leaves), side * R(1e-20f * polygon.facing), z0);
       const Mask crosses = (z0 > R(0)) ^ (z1 > R(0));
       const Mask near = min(abs(z0), abs(z1)) < sagitta;
       if (!any(crosses | near)) continue;
@@ -122,6 +120,7 @@ class LaneMeetings {
   }
 
   void find_spheres(const LanePath<R>& path, LaneFinding<R>& found) const {
+    const R departed = pack_.read(&Lanes::departed), side = pack_.read(&Lanes::departed_side);
     // Of spheres in one place the last is met.
     for (int i = scene_.sphere_count; i-- > 0;) {
       const LaneSphere& sphere = scene_.spheres[i];
@@ -130,8 +129,8 @@ class LaneMeetings {
       const Mask touches = path.may_touch(path.place.c0 - center, R(sphere.radius));
       if (!any(touches)) continue;
       const LaneDistance<R> outside{path, center, R(sphere.radius * sphere.radius)};
-      const Mask leaving = departed_ == R(sphere.shape);
-      const R f0 = select(leaving, side_ * R(1e-20), outside.at(R(0)));
+      const Mask leaving = departed == R(sphere.shape);
+      const R f0 = select(leaving, side * R(1e-20), outside.at(R(0)));
       const R f1 = outside.at(R(1));
       // From outside the nearest point of the step decides.
       const R nearest = outside.nearest();
@@ -179,7 +178,7 @@ class LaneMeetings {
   }
 
   const LaneScene& scene_;
-  R departed_, side_;  ///< which face a photon has left, and on which side
+  const LanePack<R>& pack_;
 };
 
 }  // namespace portalens

@@ -30,21 +30,21 @@ class LaneStepper {
     const V x = pack_.position(), t = pack_.direction();
     F field(scene_);
     field.decide(x, t);
+    const StateOf<R> here{x, t};
     const Mask flies = !field.acting;
     const LaneBending<R> start = field.bending(x, t);
     LaneCrossing<R> isolated(scene_);
-    const Reach reach = foresee(field, start, flies, isolated);
+    const Reach reach = foresee(field, here, start, flies, isolated);
 
-    const StateOf<R> here{x, t};
     const auto acceleration = [&](V place) { return field.acceleration(place); };
     const Bends<R> bends = Radau::bends(acceleration, here, start.acceleration, reach.length);
     LanePath<R> path(here, bends, reach.length);
-    const Judgement judgement = judge(path, bends, start, flies);
+    const Judgement judgement = judge(here, path, bends, start, flies);
     if constexpr (F::foresees_planes) mend_length(reach, judgement.smooth() & !flies, path);
 
     Course course;
-    course.resigns = live & must_resign(field, reach.most, flies);
-    LaneFinding<R> found = meet(path, field, flies, isolated, course);
+    course.resigns = live & must_resign(field, x, reach.most, flies);
+    LaneFinding<R> found = meet(here, path, field, flies, isolated, course);
     settle(path, field, live, flies, judgement, found, course);
     course.escapes = live & flies & (reach.border.at >= R(never)) & !(found.share <= R(1)) &
                      !(course.consults | course.resigns);
@@ -55,7 +55,7 @@ class LaneStepper {
     const Mask stays = course.stays() | !live;
     pack_.write(&Lanes::longest, select(live, course.next, R(never)));
 
-    typename LanePack<R>::Move move = to_end(path, found.share, course.ends);
+    typename LanePack<R>::Move move = to_end(here, path, found.share, course.ends);
     move.clear = course.clear;
     move.gradient = start.gradient;
     move.error = R(scene_.tolerance) * select(flies, R(0), judgement.error);
@@ -103,9 +103,9 @@ class LaneStepper {
   /// Scenes without isolated masses pay for a branch.
   [[nodiscard]] bool has_isolated() const { return scene_.isolated_count > 0; }
 
-  [[nodiscard]] Reach foresee(F& field, const LaneBending<R>& start, Mask flies,
-                              LaneCrossing<R>& isolated) const {
-    const V x = pack_.position(), t = pack_.direction();
+  [[nodiscard]] Reach foresee(F& field, const StateOf<R>& here, const LaneBending<R>& start,
+                              Mask flies, LaneCrossing<R>& isolated) const {
+    const V x = here.position, t = here.direction;
     Reach reach;
     reach.most =
         min(longest(x, start, flies), select(flies, R(never), pack_.read(&Lanes::longest)));
@@ -128,9 +128,9 @@ class LaneStepper {
                   min(proposed * pack_.read(&Lanes::shorter), R(scene_.farthest)));
   }
 
-  [[nodiscard]] Judgement judge(const LanePath<R>& path, const Bends<R>& bends,
-                                const LaneBending<R>& start, Mask flies) const {
-    const StateOf<R> here{pack_.position(), pack_.direction()};
+  [[nodiscard]] Judgement judge(const StateOf<R>& here, const LanePath<R>& path,
+                                const Bends<R>& bends, const LaneBending<R>& start,
+                                Mask flies) const {
     const R pull2 = dot(start.acceleration, start.acceleration);
     Judgement judgement;
     judgement.error =
@@ -157,22 +157,23 @@ class LaneStepper {
     if (any(mends)) path.stretch(mends, R(1) + more / h);
   }
 
-  [[nodiscard]] Mask must_resign(const F& field, R most, Mask flies) const {
+  [[nodiscard]] Mask must_resign(const F& field, V x, R most, Mask flies) const {
     const Mask winds = pack_.read(&Lanes::steps) > R(max_lane_steps);
     // Steps as short as borders are found exactly have no place here.
     const Mask crawls = (most < R(4) * R(scene_.overshoot)) & !flies;
-    return winds | field.too_near(pack_.position()) | crawls;
+    return winds | field.too_near(x) | crawls;
   }
 
   /// What the step meets first, and where lanes can't tell.
-  [[nodiscard]] LaneFinding<R> meet(LanePath<R>& path, const F& field, Mask flies,
-                                    const LaneCrossing<R>& isolated, Course& course) const {
-    const V x = pack_.position();
+  [[nodiscard]] LaneFinding<R> meet(const StateOf<R>& here, LanePath<R>& path, const F& field,
+                                    Mask flies, const LaneCrossing<R>& isolated,
+                                    Course& course) const {
+    const V x = here.position;
     Mask& doubtful = course.doubtful;
     doubtful = flies & (span(x) > R(F::sees_borders_far_off ? scene_.flight_limit : -1.0f));
     // Out there nothing is ahead of a path that leads further out.
     if (F::sees_borders_far_off && any(doubtful))
-      doubtful = doubtful & (dot(x, pack_.direction()) < R(0));
+      doubtful = doubtful & (dot(x, here.direction) < R(0));
     course.clear = pack_.read(&Lanes::clear) - path.h;
     LaneFinding<R> found;
     const LaneMeetings<R> meetings(scene_, pack_);
@@ -233,11 +234,11 @@ class LaneStepper {
   }
 
   /// Where the step leads: to its end, or, where it `ends`, to a share of it.
-  [[nodiscard]] typename LanePack<R>::Move to_end(const LanePath<R>& path, R share,
-                                                  Mask ends) const {
+  [[nodiscard]] typename LanePack<R>::Move to_end(const StateOf<R>& here, const LanePath<R>& path,
+                                                  R share, Mask ends) const {
     typename LanePack<R>::Move move;
-    move.from = pack_.position();
-    move.along = pack_.direction();
+    move.from = here.position;
+    move.along = here.direction;
     move.place = path.end.position;
     move.direction = path.end.direction;
     move.length = path.h;
