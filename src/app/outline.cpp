@@ -21,6 +21,15 @@ void add_box(const std::array<Vec3d, 8>& corners, Outline& outline) {
       if ((corner & axis) == 0) outline.edges.push_back({corners[corner], corners[corner | axis]});
 }
 
+void add_box(const Box& box, Outline& outline) {
+  if (box.empty()) return;
+  std::array<Vec3d, 8> corners;
+  for (unsigned i = 0; i < 8; ++i)
+    corners[i] = {i & 1 ? box.high.x : box.low.x, i & 2 ? box.high.y : box.low.y,
+                  i & 4 ? box.high.z : box.low.z};
+  add_box(corners, outline);
+}
+
 /// The lines between two opposite edges, a-b and d-c, that share them out evenly.
 void add_grid(Vec3d a, Vec3d b, Vec3d c, Vec3d d, int cells, Outline& outline) {
   for (int i = 1; i < cells; ++i) {
@@ -116,17 +125,16 @@ struct Outliner {
   }
 
   void operator()(const Mesh& mesh) const {
-    if (mesh.triangle_count() == 0) return;
-    if (mesh.triangle_count() > max_triangles) {
-      const Box box = mesh.bounds();
-      std::array<Vec3d, 8> corners;
-      for (unsigned i = 0; i < 8; ++i)
-        corners[i] = {i & 1 ? box.high.x : box.low.x, i & 2 ? box.high.y : box.low.y,
-                      i & 4 ? box.high.z : box.low.z};
-      add_box(corners, outline);
-    } else {
+    if (mesh.triangle_count() > max_triangles)
+      add_box(mesh.bounds(), outline);
+    else
       add_mesh_edges(mesh);
-    }
+  }
+
+  /// What this drawing has no lines for.
+  template <class Other>
+  void operator()(const Other& shape) const {
+    add_box(shape.bounds(), outline);
   }
 
  private:

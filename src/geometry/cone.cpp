@@ -105,4 +105,6 @@ SurfacePoint Cone::sample(double u1, double u2) const {
   return surface_at(pose_.to_world(around_axis(radius_ * share, height, u2)), face);
 }
 
+std::vector<FlatFace> Cone::flat_faces() const { return {flat_cap(pose_, 1, -half_, radius_)}; }
+
 }  // namespace portalens

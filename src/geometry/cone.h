@@ -4,8 +4,10 @@
 
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "core/parameters.h"
+#include "geometry/flat_face.h"
 #include "geometry/pose.h"
 
 namespace portalens {
@@ -32,6 +34,7 @@ class Cone {
   [[nodiscard]] Vec3d center_of_mass() const { return pose_.to_world({0, -0.5 * half_, 0}); }
   [[nodiscard]] double area() const;
   [[nodiscard]] SurfacePoint sample(double u1, double u2) const;
+  [[nodiscard]] std::vector<FlatFace> flat_faces() const;
 
  private:
   Pose pose_;

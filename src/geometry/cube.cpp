@@ -111,4 +111,22 @@ SurfacePoint Cube::sample(double u1, double u2) const {
   }
 }
 
+std::vector<FlatFace> Cube::flat_faces() const {
+  std::vector<FlatFace> faces;
+  const auto add = [&](Vec3d normal, Vec3d middle, Vec3d a, Vec3d b) {
+    FlatFace flat{static_cast<std::uint32_t>(faces.size()), pose_.turned(normal), {}};
+    for (const Vec3d corner : {-a - b, a - b, a + b, b - a})
+      flat.hull.push_back(pose_.to_world(middle + corner));
+    faces.push_back(std::move(flat));
+  };
+  const Vec3d x{half_.x, 0, 0}, y{0, half_.y, 0}, z{0, 0, half_.z};
+  add({-1, 0, 0}, -x, y, z);
+  add({1, 0, 0}, x, y, z);
+  add({0, -1, 0}, -y, x, z);
+  add({0, 1, 0}, y, x, z);
+  add({0, 0, -1}, -z, x, y);
+  add({0, 0, 1}, z, x, y);
+  return faces;
+}
+
 }  // namespace portalens

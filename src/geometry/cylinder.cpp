@@ -67,4 +67,8 @@ SurfacePoint Cylinder::sample(double u1, double u2) const {
   return surface_at(pose_.to_world(around_axis(radius_ * std::sqrt(share), 0.0, u2)), face);
 }
 
+std::vector<FlatFace> Cylinder::flat_faces() const {
+  return {flat_cap(pose_, 1, -half_, radius_), flat_cap(pose_, 2, half_, radius_)};
+}
+
 }  // namespace portalens

@@ -4,8 +4,10 @@
 
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "core/parameters.h"
+#include "geometry/flat_face.h"
 #include "geometry/pose.h"
 
 namespace portalens {
@@ -31,6 +33,7 @@ class Cylinder {
   [[nodiscard]] Vec3d center_of_mass() const { return pose_.middle(); }
   [[nodiscard]] double area() const;
   [[nodiscard]] SurfacePoint sample(double u1, double u2) const;
+  [[nodiscard]] std::vector<FlatFace> flat_faces() const;
 
  private:
   Pose pose_;

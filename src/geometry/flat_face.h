@@ -1,11 +1,11 @@
 /// \file
-/// The flat faces of shapes, as places that span them.
+/// A flat face of a shape, as a place that spans it.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
-#include "geometry/shape.h"
+#include "math/vec3.h"
 
 namespace portalens {
 
@@ -14,9 +14,5 @@ struct FlatFace {
   Vec3d normal;             ///< unit, as `surface_at` tells it
   std::vector<Vec3d> hull;  ///< a convex polygon that just holds it; in its plane
 };
-
-/// Of a shape that is no mesh, by face. A mesh is flat triangle by triangle: its own functions tell
-/// them.
-[[nodiscard]] std::vector<FlatFace> flat_faces(const Shape& shape);
 
 }  // namespace portalens

@@ -7,7 +7,6 @@
 #include <optional>
 #include <utility>
 
-#include "geometry/flat_face.h"
 #include "geometry/flat_regions.h"
 #include "geometry/polygon.h"
 
@@ -111,7 +110,7 @@ class FlushBuilder {
     for (std::uint32_t i = 0; i < shapes.size(); ++i) {
       const double extent =
           std::visit([](const auto& s) { return s.bounds(); }, shapes[i]).diagonal();
-      for (FlatFace& flat : flat_faces(shapes[i]))
+      for (FlatFace& flat : std::visit([](const auto& s) { return s.flat_faces(); }, shapes[i]))
         add({i, flat.face}, false, flat.normal, std::move(flat.hull), extent);
     }
     for (std::uint32_t i = 0; i < openings.size(); ++i)

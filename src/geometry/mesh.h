@@ -7,8 +7,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/parameters.h"
+#include "geometry/flat_face.h"
 #include "geometry/ray.h"
 #include "math/triangles.h"
 
@@ -59,6 +61,8 @@ class Mesh {
   [[nodiscard]] double area() const;
   /// @pre there are triangles
   [[nodiscard]] SurfacePoint sample(double u1, double u2) const;
+  /// None: it is flat triangle by triangle, which its own functions tell.
+  [[nodiscard]] static std::vector<FlatFace> flat_faces() { return {}; }
 
   /// Where the line of the ray crosses one triangle.
   [[nodiscard]] std::optional<double> cross_triangle(std::uint32_t face, const Ray& ray) const;

@@ -208,4 +208,8 @@ SurfacePoint Quad::sample(double u1, double u2) const {
   return surface_at(x, 0);
 }
 
+std::vector<FlatFace> Quad::flat_faces() const {
+  return {{0, normal_, {vertices_.begin(), vertices_.begin() + static_cast<int>(count_)}}};
+}
+
 }  // namespace portalens

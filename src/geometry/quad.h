@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/parameters.h"
+#include "geometry/flat_face.h"
 #include "geometry/ray.h"
 
 namespace portalens {
@@ -54,6 +55,7 @@ class Quad {
   [[nodiscard]] Vec3d center_of_mass() const;
   [[nodiscard]] double area() const;
   [[nodiscard]] SurfacePoint sample(double u1, double u2) const;
+  [[nodiscard]] std::vector<FlatFace> flat_faces() const;
 
  private:
   /// A vector of the plane in (right, up).

@@ -99,4 +99,8 @@ SurfacePoint Ring::sample(double u1, double u2) const {
   return surface_at(pose_.to_world(around_axis(std::sqrt(square), 0.0, u2)), face);
 }
 
+std::vector<FlatFace> Ring::flat_faces() const {
+  return {flat_cap(pose_, 2, -half_, outer_), flat_cap(pose_, 3, half_, outer_)};
+}
+
 }  // namespace portalens

@@ -4,8 +4,10 @@
 
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "core/parameters.h"
+#include "geometry/flat_face.h"
 #include "geometry/pose.h"
 
 namespace portalens {
@@ -37,6 +39,7 @@ class Ring {
   [[nodiscard]] Vec3d center_of_mass() const { return pose_.middle(); }
   [[nodiscard]] double area() const;
   [[nodiscard]] SurfacePoint sample(double u1, double u2) const;
+  [[nodiscard]] std::vector<FlatFace> flat_faces() const;
 
  private:
   /// Distance from a point of the ring's own coordinates to its surface.

@@ -37,4 +37,15 @@ Vec3d SolidCylinder::closest(Vec3d p) const {
   return {p.x * shrink, std::clamp(p.y, -half, half), p.z * shrink};
 }
 
+FlatFace flat_cap(const Pose& pose, std::uint32_t face, double height, double radius) {
+  constexpr int corners = 8;
+  const double reach = radius / std::cos(std::numbers::pi / corners);
+  FlatFace flat{face, pose.turned({0, height < 0.0 ? -1.0 : 1.0, 0}), {}};
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / corners;
+    flat.hull.push_back(pose.to_world({reach * std::cos(angle), height, reach * std::sin(angle)}));
+  }
+  return flat;
+}
+
 }  // namespace portalens

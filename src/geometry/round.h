@@ -3,6 +3,7 @@
 #pragma once
 
 #include "geometry/clearance.h"
+#include "geometry/flat_face.h"
 #include "geometry/pose.h"
 
 namespace portalens {
@@ -25,6 +26,8 @@ void consider_wall(NearestContact& nearest, const CenteredRay& ray, double radiu
 /// Considers the contact with a flat ring at this height, between two distances from the axis.
 void consider_cap(NearestContact& nearest, const CenteredRay& ray, double height, double inner,
                   double outer, std::uint32_t face);
+/// A cap of that outer radius as a flat face: its hull is a polygon around the disc.
+[[nodiscard]] FlatFace flat_cap(const Pose& pose, std::uint32_t face, double height, double radius);
 
 /// The points that an upright cylinder fills.
 struct SolidCylinder {

@@ -13,6 +13,7 @@
 ///   Vec3d center_of_mass() const;                      equations.md, section 2
 ///   double area() const;
 ///   SurfacePoint sample(double u1, double u2) const;   uniform by area
+///   std::vector<FlatFace> flat_faces() const;          the flat ones of its faces; none if curved
 /// and is immutable. A contact doesn't depend, to the bit, on `low` and `high`, which only select:
 /// so asking again with `low` just beyond a contact gives the next one. `Mesh` tries its triangles
 /// one by one; the accelerator finds the few that matter.

@@ -4,8 +4,10 @@
 
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "core/parameters.h"
+#include "geometry/flat_face.h"
 #include "geometry/ray.h"
 
 namespace portalens {
@@ -27,6 +29,7 @@ class Sphere {
   [[nodiscard]] Vec3d center_of_mass() const { return center_; }
   [[nodiscard]] double area() const;
   [[nodiscard]] SurfacePoint sample(double u1, double u2) const;
+  [[nodiscard]] std::vector<FlatFace> flat_faces() const { return {}; }
 
  private:
   Vec3d center_;

@@ -95,10 +95,8 @@ class Sorter {
       const Location where = convert_.at(line_of(key->source()));
       if (Table* section = find_section(*scene_, name)) {
         fill_section(*section, name, *node, where);
-      } else if (is_list(name)) {
-        fill_list(name, *node, where);
       } else {
-        refuse_unknown(name, *node, where);
+        fill_list(name, *node, where);
       }
     }
     put_objects_in_order();
@@ -127,16 +125,15 @@ class Sorter {
   void fill_list(const std::string& kind, const toml::node& node, const Location& where) {
     const toml::array* list = node.as_array();
     if (!list) {
-      faults_->add(where, kind + " is not a list of tables",
-                   "write [[" + kind + "]] for each " + kind + ", and its keys below it");
+      const auto form = node.is_table() ? Misplaced::Form::table : Misplaced::Form::key;
+      scene_->misplaced.push_back({form, kind, where});
       return;
     }
     for (auto it = list->cbegin(); it != list->cend(); ++it) {
       const Location place = convert_.at(line_of(it->source()));
       const toml::table* element = it->as_table();
       if (!element) {
-        faults_->add(place, kind + " contains what is not a table",
-                     "write [[" + kind + "]] for each " + kind + ", and its keys below it");
+        scene_->misplaced.push_back({Misplaced::Form::element, kind, place});
         continue;
       }
       Table table{kind, place, convert_.dictionary(*element)};
@@ -148,14 +145,6 @@ class Sorter {
         placed_.push_back({place, it->source().begin.column, std::move(table)});
       }
     }
-  }
-
-  void refuse_unknown(const std::string& name, const toml::node& node, const Location& where) {
-    const bool tables = node.is_table() || node.is_array_of_tables();
-    faults_->add(where, "unknown " + std::string(tables ? "table " : "key ") + in_quotes(name),
-                 tables
-                     ? suggestion_or_list(name, tables_known())
-                     : "every key stands in a table; known tables are " + listed(tables_known()));
   }
 
   void put_objects_in_order() {

@@ -1,6 +1,5 @@
 #include "io/vocabulary.h"
 
-#include <algorithm>
 #include <array>
 
 namespace portalens {
@@ -16,10 +15,6 @@ constexpr std::array sections{
     Section{"sampler", &Scene::sampler}, Section{"physics", &Scene::physics},
     Section{"shading", &Scene::shading}, Section{"environment", &Scene::environment}};
 
-constexpr std::array<std::string_view, 11> lists{"material", "light", "sphere",   "quad",
-                                                 "cube",     "cone",  "cylinder", "ring",
-                                                 "mesh",     "mass",  "portal"};
-
 }  // namespace
 
 Table* find_section(Scene& scene, std::string_view name) {
@@ -29,19 +24,9 @@ Table* find_section(Scene& scene, std::string_view name) {
   return nullptr;
 }
 
-bool is_list(std::string_view name) {
-  return std::find(lists.begin(), lists.end(), name) != lists.end();
-}
-
 std::vector<std::string> sections_known() {
   std::vector<std::string> names;
   for (const Section& section : sections) names.emplace_back(section.name);
-  return names;
-}
-
-std::vector<std::string> tables_known() {
-  std::vector<std::string> names = sections_known();
-  names.insert(names.end(), lists.begin(), lists.end());
   return names;
 }
 

@@ -1,5 +1,6 @@
 /// \file
-/// The tables a scene file may have.
+/// The sections that a scene file may have. Every other table is an element of a list: which
+/// kinds there are, is judged where objects are read.
 #pragma once
 
 #include <cstddef>
@@ -17,11 +18,6 @@ inline constexpr std::size_t max_objects = 100000;
 /// The scene's `[name]`, or null.
 [[nodiscard]] Table* find_section(Scene& scene, std::string_view name);
 
-/// Whether `[[name]]` is one: material, light, a primitive, a portal or a mass.
-[[nodiscard]] bool is_list(std::string_view name);
-
-/// Every table's name: the sections, then the lists.
-[[nodiscard]] std::vector<std::string> tables_known();
 [[nodiscard]] std::vector<std::string> sections_known();
 
 }  // namespace portalens

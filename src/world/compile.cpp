@@ -14,6 +14,7 @@
 #include "world/mesh_store.h"
 #include "world/names.h"
 #include "world/object_reader.h"
+#include "world/table_kinds.h"
 #include "world/warnings.h"
 
 namespace portalens {
@@ -138,6 +139,7 @@ World compile(const Scene& scene, const CompileOptions& options) {
   Digests digests;
   ImageStore images(options.files, faults, digests);
   const ImageLoader load = images.loader(scene.file);
+  refuse_unknown_tables(scene, faults);
 
   const Physics physics = read_section(scene.physics, faults, Physics::from);
   const Film film = read_section(scene.film, faults, film_from);

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "core/choice.h"
-#include "core/words.h"
 #include "geometry/extent.h"
 
 namespace portalens {
@@ -24,7 +23,6 @@ class ObjectReader {
       (void)read_mass(parameters, name, MassKey::required, center, context_.physics,
                       objects_.masses);
     } else if (!read_shape(parameters, name)) {
-      refuse_kind(table);
       return;
     }
     parameters.finish();
@@ -36,7 +34,7 @@ class ObjectReader {
   }
 
  private:
-  /// @return false if there is no such kind of shape
+  /// @return false if there is no such kind of shape, which `refuse_unknown_tables` tells
   bool read_shape(Parameters& parameters, const std::string& name) {
     const std::size_t before = faults_.size();
     auto shape = Choice<Shape>::make(parameters.kind(), parameters);
@@ -67,14 +65,6 @@ class ObjectReader {
     for (std::uint32_t face = 0; face < mesh.triangle_count(); ++face)
       body.face_materials.push_back(*loaded->first_material + mesh.material_of(face).value_or(0));
     body.material = body.face_materials.front();
-  }
-
-  void refuse_kind(const Table& table) {
-    const std::vector<std::string_view> shapes = Choice<Shape>::names();
-    std::vector<std::string> known(shapes.begin(), shapes.end());
-    known.insert(known.end(), {"mass", "portal"});
-    faults_.add(table.where, "unknown object " + in_quotes(table.kind),
-                suggestion_or_list(table.kind, known));
   }
 
   const ObjectContext& context_;

@@ -53,6 +53,16 @@ TEST(Faults, OfCameras) {
   });
 }
 
+TEST(Faults, OfTablesThatThereAreNone) {
+  expect_each({
+      {"[[torus]]\nradius = 1\n[[torus]]\n", 1, "unknown table 'torus'", "known are camera"},
+      {"knots = [1, { radius = 3 }]\n", 1, "unknown key 'knots'", "sphere"},
+      {"sphere = 3\n", 1, "sphere is not a list of tables", "write [[sphere]]"},
+      {"[light]\nintensity = [1, 1, 1]\n", 1, "light is not a list of tables", "[[light]]"},
+      {"cube = [4]\n", 1, "cube contains what is not a table", "write [[cube]]"},
+  });
+}
+
 TEST(Faults, OfSections) {
   expect_each({
       {"[film]\nwidth = 0\n", 2, "'width' is 0", "from 1"},
