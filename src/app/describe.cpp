@@ -160,6 +160,15 @@ std::string portal_text(const World& world, const Portal& portal) {
   return text + '\n';
 }
 
+Rgb power_of(const Light& light) {
+  return std::visit([](const auto& one) { return one.power(); }, light);
+}
+
+std::string light_text(const Appearance& look, const Light& light) {
+  const auto index = static_cast<std::size_t>(&light - look.lights.data());
+  return fmt::format("  {}: power {} W\n", look.light_names[index], place(power_of(light)));
+}
+
 template <class Item, class Text>
 std::string listed(const char* title, std::span<const Item> items, const Text& text_of) {
   std::string text = fmt::format("{:<12}{}\n", title, items.size());
@@ -225,8 +234,8 @@ std::string memory_line(const World& world) {
 
 Json describe_json(const Scene& scene, const World& world) {
   const Environment& environment = world.appearance.environment;
-  Json lights = Json::array();
-  for (const Light& light : world.appearance.lights) lights.push_back(name_of(light));
+  Json powers = Json::array();
+  for (const Light& light : world.appearance.lights) powers.push_back(to_json(power_of(light)));
   std::vector<std::string> notes = world.remarks;
   notes.insert(notes.end(), scene.notes.begin(), scene.notes.end());
   Json json = {{"scene", world.file.string()},
@@ -241,7 +250,8 @@ Json describe_json(const Scene& scene, const World& world) {
                {"objects", bodies_json(world)},
                {"masses", masses_json(world.space)},
                {"portals", portals_json(world)},
-               {"lights", lights},
+               {"lights", world.appearance.light_names},
+               {"light_powers", powers},
                {"memory", memory_json(world)},
                {"warnings", world.warnings},
                {"notes", notes}};
@@ -267,7 +277,7 @@ std::string describe_text(const Scene& scene, const World& world) {
   text += listed("portals", space.portals.portals(),
                  [&](const Portal& portal) { return portal_text(world, portal); });
   text += listed("lights", std::span<const Light>(world.appearance.lights),
-                 [](const Light& light) { return "  " + name_of(light) + '\n'; });
+                 [&](const Light& light) { return light_text(world.appearance, light); });
   const Environment& environment = world.appearance.environment;
   line("environment", environment.image ? "an image" : place(environment.color));
   const Metadata manner = manner_metadata(manner_of(world, {}));

@@ -28,8 +28,9 @@ constexpr std::array<NamedColor, 8> portal_colors = {{{"blue", {0.10, 0.40, 0.85
 constexpr std::size_t max_names = 40;
 
 Color faint_color(const Material& material) {
-  const Rgb color = brightest(material.diffuse) + material.emitted + material.reflective * 0.5;
-  return color_from_linear(color).with_alpha(0.13);
+  const Rgb color =
+      std::visit([](const auto& bsdf) { return bsdf.max_reflected(); }, material.bsdf());
+  return color_from_linear(color + brightest(material.emitted())).with_alpha(0.13);
 }
 
 void add_surfaces(const World& world, Sheet& sheet) {

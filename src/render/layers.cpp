@@ -116,9 +116,9 @@ FirstHit first_hit_of(const World& world, const Arrival& arrival, const PathTrac
   FirstHit sight;
   if (arrival.fate == Fate::hit || arrival.fate == Fate::absorbed) sight.depth = arrival.length;
   if (arrival.fate == Fate::hit) {
-    const ShadingPoint point = shading_point(world.space, world.appearance, arrival);
-    sight.normal = point.normal;
-    sight.albedo = point.diffuse;
+    const ShadedSurface place = shaded_surface(world.space, world.appearance, arrival);
+    sight.normal = place.point.normal;
+    sight.albedo = albedo_of(world.appearance, place, -arrival.direction);
   }
   sight.object = object_of(world, arrival);
   sight.fate = arrival.fate;

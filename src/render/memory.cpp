@@ -22,8 +22,8 @@ std::uint64_t bytes_of_textures(const Appearance& look) {
   std::set<const Image*> images;
   if (look.environment.image) images.insert(look.environment.image.get());
   for (const Material& material : look.materials)
-    if (const auto* picture = std::get_if<Picture>(&material.diffuse))
-      images.insert(picture->image.get());
+    for (const Texture* texture : material.textures())
+      if (const auto* picture = std::get_if<Picture>(texture)) images.insert(picture->image.get());
   std::uint64_t sum = 0;
   for (const Image* image : images)
     if (image) sum += bytes_of(*image);

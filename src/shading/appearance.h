@@ -40,6 +40,7 @@ struct Appearance {
   std::vector<Body> bodies;
   std::vector<Material> materials;
   std::vector<Light> lights;
+  std::vector<std::string> light_names;  ///< one a light
   Environment environment;
   ShadingLimits limits;
 };

@@ -1,14 +1,36 @@
 #include "shading/material.h"
 
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "core/choice.h"
+
 namespace portalens {
 
 Material Material::from(Parameters& parameters, const ImageLoader& load) {
-  Material material;
-  material.diffuse = texture_from(parameters, "diffuse", material.diffuse, load);
-  material.reflective = to_vec3(parameters.triple("reflective", non_negative, Triple{}));
-  material.roughness = parameters.number("roughness", unit_interval, material.roughness);
-  material.emitted = to_vec3(parameters.triple("emitted", non_negative, Triple{}));
-  return material;
+  const std::vector<std::string_view> types = Choice<Bsdf>::names();
+  const std::string type = parameters.choice("type", types, std::string(types.front()));
+  auto bsdf = Choice<Bsdf>::make(type, parameters, load);
+  return Material(bsdf ? std::move(*bsdf) : Bsdf{},
+                  texture_from(parameters, "emitted", Constant{{}}, load));
+}
+
+Material::Material(Bsdf bsdf, Texture emitted)
+    : bsdf_(std::move(bsdf)),
+      emitted_(std::move(emitted)),
+      emits_(max_component(brightest(emitted_)) > 0.0) {
+  const auto all = textures();
+  uses_coordinates_ = std::any_of(all.begin(), all.end(), [](const Texture* texture) {
+    return portalens::uses_coordinates(*texture);
+  });
+}
+
+std::vector<const Texture*> Material::textures() const {
+  auto all = std::visit([](const auto& bsdf) { return bsdf.textures(); }, bsdf_);
+  all.push_back(&emitted_);
+  return all;
 }
 
 }  // namespace portalens

@@ -4,9 +4,10 @@
 #include <cassert>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
+#include <variant>
 
 #include "math/random.h"
-#include "shading/reflection.h"
 #include "shading/shading_point.h"
 
 namespace portalens {
@@ -17,11 +18,6 @@ namespace {
 constexpr std::uint64_t mirror_purpose = std::uint64_t{1} << 32;
 constexpr std::uint64_t secondary_purpose = std::uint64_t{2} << 32;
 constexpr std::uint64_t light_purpose = std::uint64_t{3} << 32;  // + index of the light
-
-/// One comparison in place of three.
-bool is_black(Rgb light) {
-  return std::fabs(light.x) + std::fabs(light.y) + std::fabs(light.z) == 0.0;
-}
 
 /// The cells of a grid over the unit square, as square as their number allows.
 struct Strata {
@@ -70,78 +66,100 @@ class Shader {
 
   void shade_surface() {
     if (const Quad* quad = points_.plain_quad(*arrival_))
-      shade_point(points_.on(*quad, *arrival_));
+      shade_place(points_.on(*quad, *arrival_));
     else
       shade_other();
   }
 
-  [[gnu::noinline]] void shade_other() { shade_point(points_.at(*arrival_)); }
+  [[gnu::noinline]] void shade_other() { shade_place(points_.at(*arrival_)); }
 
-  [[gnu::always_inline]] void shade_point(const ShadingPoint& point) {
-    const Material& material = appearance_.materials[point.material];
-    add_light(share_ * (material.emitted + point.diffuse * appearance_.limits.ambient));
-    const Rgb reflected = share_ * point.diffuse;
-    if (!is_black(reflected)) ask_lights(point, reflected / std::numbers::pi);
-    const Rgb mirrored = share_ * material.reflective;
-    if (!is_black(mirrored) && photon_->bounces < appearance_.limits.max_bounces)
-      send_mirrored(point, mirrored, material.roughness);
+  [[gnu::always_inline]] void shade_place(const ShadedSurface& place) {
+    const Material& material = appearance_.materials[place.point.material];
+    const Rgb emitted = material.emitted_at(place.surface);
+    std::visit(
+        [&](const auto& bsdf) [[gnu::always_inline]] {
+          shade_point(place.point, bsdf.at(place.surface), emitted, bsdf.sends());
+        },
+        material.bsdf());
   }
 
-  [[gnu::noinline]] void send_mirrored(ShadingPoint point, Rgb share, double roughness) {
+  /// @param bsdf  at that point
+  template <class Here>
+  [[gnu::always_inline]] void shade_point(const ShadingPoint& point, const Here& bsdf, Rgb emitted,
+                                          bool sends) {
+    const Rgb albedo = bsdf.albedo(point.normal, -arrival_->direction);
+    add_light(share_ * (emitted + albedo * appearance_.limits.ambient));
+    if (!is_black(share_ * albedo)) ask_lights(point, bsdf);
+    if (sends && photon_->bounces < appearance_.limits.max_bounces) send_sampled(point, bsdf);
+  }
+
+  template <class Here>
+  [[gnu::noinline]] void send_sampled(ShadingPoint point, Here bsdf) {
     const std::uint64_t key = combined(photon_->random_key, mirror_purpose);
-    const auto reflection = reflect(arrival_->direction, point.normal, roughness,
-                                    random_number(key, 0), random_number(key, 1));
-    if (!reflection || !(dot(reflection->direction, point.outward) > 0.0)) return;
+    const auto sample = bsdf.sample(point.normal, -arrival_->direction, random_number(key, 0),
+                                    random_number(key, 1));
+    if (!sample || !(dot(sample->direction, point.outward) > 0.0)) return;
     Photon secondary;
+    secondary.throughput = share_ * sample->color * sample->weight;
+    if (is_black(secondary.throughput)) return;
     secondary.position = point.position;
-    secondary.direction = reflection->direction;
-    secondary.throughput = share * reflection->weight;
+    secondary.direction = sample->direction;
     secondary.sample = photon_->sample;
     secondary.slot = photon_->slot;
     secondary.bounces = photon_->bounces + 1;
     secondary.random_key = combined(photon_->random_key, secondary_purpose);
-    secondary.guard = point.leaving(reflection->direction);
+    secondary.guard = point.leaving(sample->direction);
     output_.secondary.push_back(secondary);
   }
 
-  [[gnu::always_inline]] void ask_lights(const ShadingPoint& point, Rgb share) {
-    for (std::size_t i = 0; i < appearance_.lights.size(); ++i) {
-      if (const auto* lamp = std::get_if<PointLight>(&appearance_.lights[i]))
-        ask_light(point, lamp->sample(0.0, 0.0), share);
-      else
-        ask_large(point, i, share);
-    }
+  template <class Here>
+  [[gnu::always_inline]] void ask_lights(const ShadingPoint& point, const Here& bsdf) {
+    for (std::size_t i = 0; i < appearance_.lights.size(); ++i)
+      std::visit(
+          [&](const auto& light) [[gnu::always_inline]] {
+            if constexpr (std::decay_t<decltype(light)>::is_delta)
+              ask_light(point, bsdf, light, 0.0, 0.0, 1.0);
+            else
+              ask_large(point, bsdf, light, i);
+          },
+          appearance_.lights[i]);
   }
 
-  /// A light that has an area.
-  [[gnu::noinline]] void ask_large(ShadingPoint point, std::size_t index, Rgb share) {
-    const Light& light = appearance_.lights[index];
-    const std::uint32_t count = sample_count(light, appearance_.limits.shadow_samples);
+  /// A light that one sample does not tell.
+  template <class Here, class Any>
+  [[gnu::noinline]] void ask_large(ShadingPoint point, Here bsdf, const Any& light,
+                                   std::size_t index) {
+    const std::uint32_t count = appearance_.limits.shadow_samples;
     const std::uint64_t key = combined(photon_->random_key, light_purpose + index);
     const Strata strata(count);
     for (std::uint32_t j = 0; j < count; ++j) {
       const double u1 = (j % strata.columns + random_number(key, 2 * j)) / strata.columns;
       const double u2 = (j / strata.columns + random_number(key, 2 * j + 1)) / strata.rows;
-      ask_light(point, sample_light(light, u1, u2), share / count);
+      ask_light(point, bsdf, light, u1, u2, count);
     }
   }
 
-  void ask_light(const ShadingPoint& point, const LightSample& sample, Rgb share) {
-    ask(point, sample, share, no_portal);
-    if (!space_.portals.portals().empty()) ask_images(point, sample, share);
+  /// @param count  of the samples that this is one of
+  template <class Here, class Any>
+  [[gnu::always_inline]] void ask_light(const ShadingPoint& point, const Here& bsdf,
+                                        const Any& light, double u1, double u2, double count) {
+    ask(point, bsdf, light.sample(point.position, u1, u2), count, {1, 1, 1}, no_portal);
+    if (!space_.portals.portals().empty()) ask_images(point, bsdf, light, u1, u2, count);
   }
 
   /// Its images in the portals.
-  [[gnu::noinline]] void ask_images(ShadingPoint point, LightSample sample, Rgb share) {
+  template <class Here, class Any>
+  [[gnu::noinline]] void ask_images(ShadingPoint point, Here bsdf, const Any& light, double u1,
+                                    double u2, double count) {
     const std::span<const Portal> portals = space_.portals.portals();
     for (std::uint32_t i = 0; i < portals.size(); ++i) {
       const Portal& portal = portals[i];
       const double height = portal.frame.to_local(point.position).z;
       if (height < -portal.height_tolerance() && !portal.two_sided) continue;
-      LightSample image = sample;
-      image.position = portal.through.move_back(sample.position);
-      image.normal = portal.through.rotate_back(sample.normal);
-      if (crosses(i, point, image.position)) ask(point, image, share * portal.tint, i);
+      LightSample image = light.sample(portal.through.move(point.position), u1, u2);
+      image.position = portal.through.move_back(image.position);
+      image.normal = portal.through.rotate_back(image.normal);
+      if (crosses(i, point, image.position)) ask(point, bsdf, image, count, portal.tint, i);
     }
   }
 
@@ -161,16 +179,21 @@ class Shader {
            *contact > left.reach;
   }
 
-  [[gnu::always_inline]] void ask(const ShadingPoint& point, const LightSample& sample, Rgb share,
+  template <class Here>
+  [[gnu::always_inline]] void ask(const ShadingPoint& point, const Here& bsdf,
+                                  const LightSample& sample, double count, Rgb tint,
                                   std::uint32_t portal) {
-    if (!(dot(sample.position - point.position, point.outward) > 0.0)) return;
+    const Vec3d way = sample.position - point.position;
+    if (!(dot(way, point.outward) > 0.0)) return;
+    const Rgb value = bsdf.value(point.normal, -arrival_->direction, normalize(way));
+    const Rgb share = share_ * value / std::numbers::pi / count * tint;
     const Rgb light = share * irradiance(sample, point.position, point.normal);
     if (is_black(light)) return;
     ShadowQuery& query = output_.shadows.emplace_back();
     query.from = point.position;
     query.to = sample.position;
     query.portal = portal;
-    query.guard = point.leaving(sample.position - point.position);
+    query.guard = point.leaving(way);
     query.contribution = light;
     query.sample = photon_->sample;
     query.slot = photon_->slot;
@@ -196,17 +219,21 @@ void shade(const Space& space, const Appearance& appearance, std::span<const Pho
 
 bool uses_random_numbers(const Appearance& appearance) {
   const auto is_large = [](const Light& light) {
-    return !std::holds_alternative<PointLight>(light);
+    return std::visit([](const auto& one) { return !one.is_delta; }, light);
   };
-  const auto mirrors = [](const Material& material) { return material.reflective != Rgb{}; };
+  const auto sends = [](const Material& material) {
+    return std::visit([](const auto& bsdf) { return bsdf.sends(); }, material.bsdf());
+  };
   return std::any_of(appearance.lights.begin(), appearance.lights.end(), is_large) ||
-         std::any_of(appearance.materials.begin(), appearance.materials.end(), mirrors);
+         std::any_of(appearance.materials.begin(), appearance.materials.end(), sends);
 }
 
 std::size_t max_shadow_queries(const Space& space, const Appearance& appearance) {
   std::size_t samples = 0;
   for (const Light& light : appearance.lights)
-    samples += sample_count(light, appearance.limits.shadow_samples);
+    samples += std::visit([](const auto& one) { return one.is_delta; }, light)
+                   ? 1
+                   : appearance.limits.shadow_samples;
   return samples * (1 + space.portals.portals().size());
 }
 

@@ -16,7 +16,6 @@ struct ShadingPoint {
   Vec3d position;  ///< where rays start
   Vec3d normal;    ///< unit; like the next one on the viewer's side
   Vec3d outward;   ///< unit; of the surface itself, where a mesh interpolates `normal`
-  Rgb diffuse;     ///< its colour
   std::uint32_t material = 0;
   std::uint32_t shape = no_object;  ///< or a portal, by the number of its opening
   std::uint32_t face = 0;
@@ -31,6 +30,12 @@ struct ShadingPoint {
   }
 };
 
+/// With what textures ask for.
+struct ShadedSurface {
+  ShadingPoint point;
+  SurfacePoint surface;
+};
+
 /// Where arrivals have met something. Borrows both.
 class ShadingPoints {
  public:
@@ -41,17 +46,17 @@ class ShadingPoints {
         extent_(space.surfaces.bounds().diagonal()) {}
 
   /// @pre the arrival has met a surface or a portal's back
-  [[nodiscard]] ShadingPoint at(const Arrival& arrival) const;
+  [[nodiscard]] ShadedSurface at(const Arrival& arrival) const;
 
-  /// The quad that was met, if its colour asks for no texture coordinates.
+  /// The quad that was met, if its material asks for no texture coordinates. Most of what is met in
+  /// most scenes is one: it is told apart here, so that its path is short.
   [[nodiscard]] const Quad* plain_quad(const Arrival& arrival) const {
     if (arrival.met != Met::surface) return nullptr;
     const auto* quad = std::get_if<Quad>(&shapes_[arrival.object]);
-    const Texture& diffuse = appearance_.materials[material_of(arrival)].diffuse;
-    return quad && !std::holds_alternative<Picture>(diffuse) ? quad : nullptr;
+    return quad && !appearance_.materials[material_of(arrival)].uses_coordinates() ? quad : nullptr;
   }
   /// The same as `at`, where there is one; all of it may stay in registers.
-  [[nodiscard]] ShadingPoint on(const Quad& quad, const Arrival& arrival) const {
+  [[nodiscard]] ShadedSurface on(const Quad& quad, const Arrival& arrival) const {
     return on_surface(arrival, quad.place_at(arrival.position));
   }
 
@@ -59,24 +64,19 @@ class ShadingPoints {
   [[nodiscard]] std::uint32_t material_of(const Arrival& arrival) const {
     return appearance_.bodies[arrival.object].material_of(arrival.face);
   }
-  [[nodiscard]] ShadingPoint on_back(const Arrival& arrival) const;
+  [[nodiscard]] ShadedSurface on_back(const Arrival& arrival) const;
 
-  [[nodiscard]] ShadingPoint on_surface(const Arrival& arrival, const SurfacePoint& surface) const {
+  [[nodiscard]] ShadedSurface on_surface(const Arrival& arrival,
+                                         const SurfacePoint& surface) const {
     const std::uint32_t material = material_of(arrival);
     const bool behind = dot(arrival.direction, surface.geometric_normal) > 0.0;
     const double front = behind ? -1.0 : 1.0;
     const Vec3d outward = surface.geometric_normal * front, normal = surface.normal * front;
     // At the edge of its silhouette a mesh may be seen where its smooth normal looks away.
     const bool away = dot(arrival.direction, normal) >= 0.0;
-    return {arrival.position,
-            away ? outward : normal,
-            outward,
-            color_at(appearance_.materials[material].diffuse, surface),
-            material,
-            arrival.object,
-            arrival.face,
-            front,
-            length(arrival.position) + extent_};
+    return {{arrival.position, away ? outward : normal, outward, material, arrival.object,
+             arrival.face, front, length(arrival.position) + extent_},
+            surface};
   }
 
   const Space& space_;
@@ -85,9 +85,12 @@ class ShadingPoints {
   double extent_;  ///< of the surfaces
 };
 
+/// What a surface's BSDF answers of light that is the same from all round.
+[[nodiscard]] Rgb albedo_of(const Appearance& appearance, const ShadedSurface& place, Vec3d out);
+
 /// Of one.
-[[nodiscard]] inline ShadingPoint shading_point(const Space& space, const Appearance& appearance,
-                                                const Arrival& arrival) {
+[[nodiscard]] inline ShadedSurface shaded_surface(const Space& space, const Appearance& appearance,
+                                                  const Arrival& arrival) {
   return ShadingPoints(space, appearance).at(arrival);
 }
 

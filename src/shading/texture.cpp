@@ -18,6 +18,8 @@ Rgb pixel(const Image& image, int x, int y) {
   return {p[0], p[1], p[2]};
 }
 
+Rgb highest(Rgb a, Rgb b) { return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}; }
+
 Rgb mixed_colors(Rgb a, Rgb b, double share) { return a * (1.0 - share) + b * share; }
 
 /// The two whole neighbours of a continuous coordinate, and the share of the second.
@@ -87,11 +89,28 @@ Rgb brightest(const Texture& texture) {
       }
       return most;
     }
-    static Rgb highest(Rgb a, Rgb b) {
-      return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
-    }
   };
   return std::visit(Brightest{}, texture);
+}
+
+Rgb brightest_sum(const Texture& one, const Texture& other) {
+  struct BrightestSum {
+    Rgb operator()(const Checker& a, const Checker& b) const {
+      if (a.size != b.size) return brightest(a) + brightest(b);
+      return highest(a.first + b.first, a.second + b.second);
+    }
+    /// Between the centres of pixels both are bilinear, and so is their sum.
+    Rgb operator()(const Picture& a, const Picture& b) const {
+      const Image &p = *a.image, &q = *b.image;
+      if (p.width != q.width || p.height != q.height) return brightest(a) + brightest(b);
+      Rgb most;
+      for (int y = 0; y < p.height; ++y)
+        for (int x = 0; x < p.width; ++x) most = highest(most, pixel(p, x, y) + pixel(q, x, y));
+      return most;
+    }
+    Rgb operator()(const Texture& a, const Texture& b) const { return brightest(a) + brightest(b); }
+  };
+  return std::visit(BrightestSum{}, one, other);
 }
 
 Texture texture_from(Parameters& parameters, std::string_view key, const Texture& fallback,

@@ -61,8 +61,15 @@ using Texture = std::variant<Constant, Checker, Picture>;
   return std::visit([&](const auto& kind) { return kind.at(point); }, texture);
 }
 
+/// Whether its colour depends on `u` and `v` on a flat face, too: those take long to find there.
+[[nodiscard]] inline bool uses_coordinates(const Texture& texture) {
+  return std::holds_alternative<Picture>(texture);
+}
+
 /// The largest value of each channel anywhere on the texture.
 [[nodiscard]] Rgb brightest(const Texture& texture);
+/// The same of the sum of two that lie on each other; or more, where they are not of one pattern.
+[[nodiscard]] Rgb brightest_sum(const Texture& one, const Texture& other);
 
 /// What `key` says: `[r, g, b]`, `{ checker = [[r,g,b], [r,g,b]], size = s }` or an image's file.
 [[nodiscard]] Texture texture_from(Parameters& parameters, std::string_view key,

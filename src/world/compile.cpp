@@ -157,7 +157,7 @@ World compile(const Scene& scene, const CompileOptions& options) {
 
   MaterialList materials(scene.materials, names, load, faults);
   MeshStore meshes(scene.file, options.files, images, materials, faults, digests);
-  look.lights = read_lights(scene.lights, names, faults);
+  std::vector<NamedLight> lights = read_lights(scene.lights, names, faults);
   Objects objects = read_objects(scene, {physics, names, materials, meshes}, faults);
   check_portal_gravity(scene, physics, objects, faults);
   const Camera camera = read_section(scene.camera, faults, [&](Parameters& parameters) {
@@ -168,7 +168,11 @@ World compile(const Scene& scene, const CompileOptions& options) {
   faults.raise();
 
   look.materials = std::move(materials).take();
-  for (Light& light : emitters(objects, look.materials)) look.lights.push_back(std::move(light));
+  for (NamedLight& light : emitters(objects, look.materials)) lights.push_back(std::move(light));
+  for (NamedLight& light : lights) {
+    look.light_names.push_back(std::move(light.name));
+    look.lights.push_back(std::move(light.light));
+  }
   look.bodies = std::move(objects.bodies);
   PlannedSpace space(physics, max_crossings, std::move(objects.shapes), std::move(objects.portals),
                      std::move(objects.masses), camera.position);

@@ -1,60 +1,75 @@
 #include "world/light_list.h"
 
+#include <map>
+#include <optional>
+#include <string_view>
 #include <utility>
+
+#include "core/choice.h"
 
 namespace portalens {
 namespace {
 
-std::vector<TriangleLight::Triangle> shining_faces(const Mesh& mesh, const Body& body,
-                                                   const std::vector<Material>& materials) {
-  std::vector<TriangleLight::Triangle> triangles;
-  for (std::uint32_t face = 0; face < mesh.triangle_count(); ++face) {
-    const Material& material = materials[body.material_of(face)];
-    if (!material.emits()) continue;
-    const auto corners = mesh.triangle(face);
-    triangles.push_back({corners[0], corners[1], corners[2], material.emitted});
-  }
-  return triangles;
-}
+/// What a body gives, if it emits.
+struct EmitterOf {
+  const Body& body;
+  const std::vector<Material>& materials;
 
-std::vector<TriangleLight::Triangle> fan(const Portal& portal, Rgb emitted) {
-  std::vector<TriangleLight::Triangle> triangles;
-  const std::vector<Vec3d>& v = portal.vertices;
-  for (std::size_t i = 2; i < v.size(); ++i) triangles.push_back({v[0], v[i - 1], v[i], emitted});
-  return triangles;
-}
+  template <class Any>
+  std::optional<Light> operator()(const Any& shape) const {
+    const Material& material = materials[body.material];
+    if (!material.emits()) return std::nullopt;
+    return ShapeLight(shape, material.emitted());
+  }
+
+  /// Only a mesh has more than one material.
+  std::optional<Light> operator()(const Mesh& mesh) const {
+    std::vector<Texture> emitted;
+    std::map<std::uint32_t, std::uint32_t> index_of;  // of materials that emit
+    for (std::uint32_t face = 0; face < mesh.triangle_count(); ++face) {
+      const std::uint32_t material = body.material_of(face);
+      if (!materials[material].emits()) continue;
+      if (index_of.emplace(material, emitted.size()).second)
+        emitted.push_back(materials[material].emitted());
+    }
+    if (emitted.empty()) return std::nullopt;
+    const auto emitted_by = [&](std::uint32_t face) -> std::optional<std::uint32_t> {
+      const auto found = index_of.find(body.material_of(face));
+      return found == index_of.end() ? std::nullopt : std::optional(found->second);
+    };
+    return MeshLight(mesh, std::move(emitted), emitted_by);
+  }
+};
 
 }  // namespace
 
-std::vector<Light> read_lights(const std::vector<Table>& tables, Names& names, Faults& faults) {
-  std::vector<Light> lights;
+std::vector<NamedLight> read_lights(const std::vector<Table>& tables, Names& names,
+                                    Faults& faults) {
+  std::vector<NamedLight> lights;
+  const std::vector<std::string_view> types = Choice<Light>::names();
   for (const Table& table : tables) {
     Parameters parameters(table, faults);
     const std::string name = names.claim(parameters);
-    PointLight light = PointLight::from(parameters);
-    light.name = name;
+    const std::string type = parameters.choice("type", types, std::string(PointLight::name));
+    auto light = Choice<Light>::make(type, parameters);
+    if (!light) continue;
     parameters.finish();
-    lights.push_back(std::move(light));
+    lights.push_back({name, std::move(*light)});
   }
   return lights;
 }
 
-std::vector<Light> emitters(const Objects& objects, const std::vector<Material>& materials) {
-  std::vector<Light> lights;
+std::vector<NamedLight> emitters(const Objects& objects, const std::vector<Material>& materials) {
+  std::vector<NamedLight> lights;
   for (std::size_t i = 0; i < objects.shapes.size(); ++i) {
     const Body& body = objects.bodies[i];
-    if (const auto* mesh = std::get_if<Mesh>(&objects.shapes[i])) {
-      auto triangles = shining_faces(*mesh, body, materials);
-      if (!triangles.empty())
-        lights.push_back(TriangleLight(body.name, std::move(triangles), Shining::both_sides));
-    } else if (materials[body.material].emits()) {
-      lights.push_back(ShapeLight(body.name, objects.shapes[i], materials[body.material].emitted));
-    }
+    if (auto light = std::visit(EmitterOf{body, materials}, objects.shapes[i]))
+      lights.push_back({body.name, std::move(*light)});
   }
   for (const Portal& portal : objects.portals) {
     if (!portal.back_material || !materials[*portal.back_material].emits()) continue;
-    auto triangles = fan(portal, materials[*portal.back_material].emitted);
-    lights.push_back(TriangleLight(portal.name, std::move(triangles), Shining::back_only));
+    lights.push_back(
+        {portal.name, PortalBackLight(portal, materials[*portal.back_material].emitted())});
   }
   return lights;
 }

@@ -2,6 +2,7 @@
 /// Everything in a scene that gives light.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "scene/scene.h"
@@ -10,12 +11,17 @@
 
 namespace portalens {
 
+struct NamedLight {
+  std::string name;
+  Light light;
+};
+
 /// The `[[light]]` tables.
-[[nodiscard]] std::vector<Light> read_lights(const std::vector<Table>& tables, Names& names,
-                                             Faults& faults);
+[[nodiscard]] std::vector<NamedLight> read_lights(const std::vector<Table>& tables, Names& names,
+                                                  Faults& faults);
 
 /// A light for each body and each portal's back that emits, in their order.
-[[nodiscard]] std::vector<Light> emitters(const Objects& objects,
-                                          const std::vector<Material>& materials);
+[[nodiscard]] std::vector<NamedLight> emitters(const Objects& objects,
+                                               const std::vector<Material>& materials);
 
 }  // namespace portalens

@@ -51,7 +51,8 @@ void about_camera(const World& world, Warnings& warnings) {
 
 void about_materials(const World& world, Warnings& warnings) {
   for (const Material& material : world.appearance.materials) {
-    const double most = max_component(brightest(material.diffuse) + material.reflective);
+    const double most = max_component(
+        std::visit([](const auto& bsdf) { return bsdf.max_reflected(); }, material.bsdf()));
     if (most > 1.0)
       warnings.push_back(fmt::format(
           "material {} gives back more light than it gets: diffuse + reflective reaches {:.4g}",

@@ -16,6 +16,7 @@ using test::appearance_with;
 using test::diffuse_material;
 using test::hit_at;
 using test::light_from;
+using test::mirror_material;
 using test::plain_space;
 using test::shade_one;
 
@@ -29,13 +30,6 @@ Quad floor_quad(double half, double height = 0.0) {
                                     {-half, height, -half}}});
 }
 
-PointLight point_light(Vec3d position, Rgb intensity) {
-  PointLight light;
-  light.position = position;
-  light.intensity = intensity;
-  return light;
-}
-
 Arrival fate_of(Fate fate) {
   Arrival arrival;
   arrival.fate = fate;
@@ -47,7 +41,7 @@ TEST(Shade, APointLightLeavesTheRadianceOfLambertsLaw) {
   const PlannedSpace space = plain_space({floor_quad(5)});
   const Rgb rho{0.2, 0.5, 0.8};
   const Appearance look =
-      appearance_with({diffuse_material(rho)}, {point_light({0, 3, 4}, {7, 8, 9})});
+      appearance_with({diffuse_material(rho)}, {PointLight{{0, 3, 4}, {7, 8, 9}}});
   const Rgb light = light_from(space, shade_one(space, look, hit_at({0, 0, 0}, {1, -1, 0})));
   const double geometry = 0.6 / 25 / pi;
   EXPECT_NEAR(light.x, 0.2 * 7 * geometry, 1e-14);
@@ -58,8 +52,8 @@ TEST(Shade, APointLightLeavesTheRadianceOfLambertsLaw) {
 TEST(Shade, ASurfaceSeenFromBelowIsLitFromBelow) {
   const PlannedSpace space = plain_space({floor_quad(5)});
   const Material grey = diffuse_material({0.5, 0.5, 0.5});
-  const Appearance above = appearance_with({grey}, {point_light({0, 2, 0}, {1, 1, 1})});
-  const Appearance below = appearance_with({grey}, {point_light({0, -2, 0}, {1, 1, 1})});
+  const Appearance above = appearance_with({grey}, {PointLight{{0, 2, 0}, {1, 1, 1}}});
+  const Appearance below = appearance_with({grey}, {PointLight{{0, -2, 0}, {1, 1, 1}}});
   const Arrival up = hit_at({0, 0, 0}, {0, 1, 0.1}), down = hit_at({0, 0, 0}, {0, -1, 0.1});
   EXPECT_EQ(light_from(space, shade_one(space, above, up)), Rgb{});
   EXPECT_EQ(light_from(space, shade_one(space, below, up)),
@@ -83,7 +77,7 @@ TEST(Shade, InAFurnaceAWhiteSurfaceShowsTheRadianceOfTheWalls) {
   for (const Shape& wall : walls) {
     const PlannedSpace space = plain_space({floor_quad(0.1), wall});
     Appearance look = appearance_with({diffuse_material({0.5, 1.0, 0.25})},
-                                      {ShapeLight("walls", wall, {2, 2, 2})}, 2);
+                                      {ShapeLight(wall, Constant{{2, 2, 2}})}, 2);
     look.limits.shadow_samples = 4;
     for (const double side : {-1.0, 1.0}) {
       const Arrival arrival = hit_at({0.02, 0, 0.01}, {0.2, side, 0.1});
@@ -100,7 +94,7 @@ TEST(Shade, StrataReduceTheNoiseOfAnAreaLight) {
   const Quad panel = floor_quad(1, 1);
   const PlannedSpace space = plain_space({floor_quad(5), panel});
   Appearance look =
-      appearance_with({diffuse_material({1, 1, 1})}, {ShapeLight("panel", panel, {1, 1, 1})}, 2);
+      appearance_with({diffuse_material({1, 1, 1})}, {ShapeLight(panel, Constant{{1, 1, 1}})}, 2);
   const Arrival arrival = hit_at({0.5, 0, 0.2}, {0.2, -1, 0.1});
   const auto noise = [&](std::uint32_t samples) {
     look.limits.shadow_samples = samples;
@@ -132,8 +126,7 @@ TEST(Shade, TheSkyTheDarkAndTheLostHaveTheirColours) {
 
 TEST(Shade, AMirrorSendsItsShareOnUpToTheLimit) {
   const PlannedSpace space = plain_space({floor_quad(5)});
-  Material mirror = diffuse_material({0, 0, 0});
-  mirror.reflective = {0.9, 0.5, 0.1};
+  const Material mirror = mirror_material({0, 0, 0}, {0.9, 0.5, 0.1});
   Appearance look = appearance_with({mirror}, {});
   look.limits.max_bounces = 2;
   Photon photon;
@@ -159,21 +152,66 @@ TEST(Shade, AMirrorSendsItsShareOnUpToTheLimit) {
   EXPECT_TRUE(shade_one(space, look, arrival, 99, next).secondary.empty());
 }
 
+TEST(Shade, ATexturedMirrorReflectsWhatItsTextureSays) {
+  const PlannedSpace space = plain_space({floor_quad(2)});  // its first vertex is (-2, 0, 2)
+  const Texture tiles = Checker{{0.9, 0.5, 0.1}, {}, 1.0};
+  const Appearance look = appearance_with({Material(DiffuseMirror(Constant{{}}, tiles, 0.0))}, {});
+  const ShadeOutput bright = shade_one(space, look, hit_at({-1.5, 0, 1.5}, {1, -1, 0}));
+  ASSERT_EQ(bright.secondary.size(), 1u);
+  EXPECT_EQ(bright.secondary[0].throughput, (Rgb{0.9, 0.5, 0.1}));
+  EXPECT_TRUE(shade_one(space, look, hit_at({-0.5, 0, 1.5}, {1, -1, 0})).secondary.empty());
+}
+
+TEST(Shade, ATexturedLampShowsItsTexture) {
+  for (const bool picture : {false, true}) {
+    auto image = std::make_shared<Image>(2, 1, 3);
+    for (int c = 0; c < 3; ++c) image->at(1, 0)[c] = 3.0f;
+    const Texture emitted = picture ? Texture(Picture{image}) : Checker{{}, {3, 3, 3}, 2.0};
+    const PlannedSpace space = plain_space({floor_quad(2)});
+    const Appearance look = appearance_with({Material(DiffuseMirror(Constant{{}}), emitted)}, {});
+    const auto seen = [&](double x) {
+      return light_from(space, shade_one(space, look, hit_at({x, 0, 1}, {0.1, -1, 0})));
+    };
+    EXPECT_EQ(seen(-1), Rgb{});
+    EXPECT_EQ(seen(1), (Rgb{3, 3, 3}));
+  }
+}
+
+/// A lamp is seen with its texture, and lights with it: a grey square in a ball of dark and bright
+/// tiles shows the mean of what it sees of them.
+TEST(Shade, ATexturedLampLightsAsItIsSeen) {
+  const Sphere wall({0, 0, 0}, 2.5);
+  const Texture tiles = Checker{{4, 4, 4}, {0.5, 0.5, 0.5}, 0.125};
+  const PlannedSpace space = plain_space({floor_quad(0.1), wall});
+  Appearance look =
+      appearance_with({diffuse_material({0.5, 0.5, 0.5})}, {ShapeLight(wall, tiles)}, 2);
+  look.limits.shadow_samples = 4;
+  const Arrival arrival = hit_at({0.02, 0, 0.01}, {0.2, -1, 0.1});
+  const auto light = test::estimate(test::scaled(10000), [&](std::uint64_t key) {
+    return light_from(space, shade_one(space, look, arrival, key)).x;
+  });
+  const auto seen = test::estimate(test::scaled(40000), [&](std::uint64_t key) {
+    const double r = std::sqrt(random_number(key, 0)), turn = 2 * pi * random_number(key, 1);
+    const Ray ray{arrival.position, {r * std::cos(turn), std::sqrt(1 - r * r), r * std::sin(turn)}};
+    const Vec3d x = ray.at(wall.intersect(ray, 0.0, 1e9)->distance);
+    return 0.5 * color_at(tiles, wall.surface_at(x, 0)).x;
+  });
+  EXPECT_NEAR(light.mean, seen.mean, 4 * (light.error + seen.error));
+}
+
 TEST(Shade, WhatIsBlackIsNotSentOn) {
   const PlannedSpace space = plain_space({floor_quad(5)});
   const Appearance look =
-      appearance_with({diffuse_material({0, 0, 0})}, {point_light({0, 1, 0}, {1, 1, 1})});
+      appearance_with({diffuse_material({0, 0, 0})}, {PointLight{{0, 1, 0}, {1, 1, 1}}});
   const ShadeOutput output = shade_one(space, look, hit_at({0, 0, 0}, {0, -1, 0}));
   EXPECT_TRUE(output.light.empty() && output.secondary.empty() && output.shadows.empty());
 }
 
 TEST(Shade, APhotonsLightDoesNotDependOnItsCompany) {
   const PlannedSpace space = plain_space({floor_quad(5)});
-  Material material = diffuse_material({0.5, 0.5, 0.5});
-  material.reflective = {0.3, 0.3, 0.3};
-  material.roughness = 0.5;
+  const Material material = mirror_material({0.5, 0.5, 0.5}, {0.3, 0.3, 0.3}, 0.5);
   const Quad panel = floor_quad(1, 3);
-  const Appearance look = appearance_with({material}, {ShapeLight("panel", panel, {1, 1, 1})});
+  const Appearance look = appearance_with({material}, {ShapeLight(panel, Constant{{1, 1, 1}})});
   std::vector<Photon> photons(5);
   std::vector<Arrival> arrivals;
   for (std::uint32_t i = 0; i < 5; ++i) {
@@ -198,11 +236,10 @@ TEST(Shade, APhotonsLightDoesNotDependOnItsCompany) {
 
 TEST(Shade, RandomNumbersAreUsedOnlyWhereItIsSaid) {
   const PlannedSpace space = plain_space({floor_quad(5)});
-  Material plain = diffuse_material({0.5, 0.5, 0.5}), rough = plain;
-  rough.reflective = {0.3, 0.3, 0.3};
-  rough.roughness = 0.5;
-  const Light point = point_light({1, 2, 3}, {4, 4, 4});
-  const Light panel = ShapeLight("panel", floor_quad(1, 3), {1, 1, 1});
+  const Material plain = diffuse_material({0.5, 0.5, 0.5});
+  const Material rough = mirror_material({0.5, 0.5, 0.5}, {0.3, 0.3, 0.3}, 0.5);
+  const Light point = PointLight{{1, 2, 3}, {4, 4, 4}};
+  const Light panel = ShapeLight(floor_quad(1, 3), Constant{{1, 1, 1}});
   const auto differs = [&](const Appearance& look) {
     const Arrival arrival = hit_at({0, 0, 0}, {0.3, -1, 0.2});
     const ShadeOutput a = shade_one(space, look, arrival, 1),
@@ -221,11 +258,8 @@ TEST(Shade, RandomNumbersAreUsedOnlyWhereItIsSaid) {
 
 TEST(Shade, ARoughFurnaceGivesBackLessThanItGets) {
   const PlannedSpace space = plain_space({floor_quad(5)});
-  Material material = diffuse_material({0, 0, 0});
-  material.reflective = {1, 1, 1};
   for (const double roughness : {0.1, 0.5, 1.0}) {
-    material.roughness = roughness;
-    const Appearance look = appearance_with({material}, {});
+    const Appearance look = appearance_with({mirror_material({}, {1, 1, 1}, roughness)}, {});
     const auto share = test::estimate(test::scaled(2000), [&](std::uint64_t key) {
       const auto output = shade_one(space, look, hit_at({0, 0, 0}, {1, -0.5, 0}), key);
       return output.secondary.empty() ? 0.0 : output.secondary[0].throughput.x;

@@ -185,9 +185,10 @@ TEST(Shadow, AMaterialBackIsShadedFromBehindAndShinesThere) {
   PointLight light;
   light.position = {0, 0, -2};
   light.intensity = {4, 4, 4};
-  Appearance look =
-      test::appearance_with({test::diffuse_material({0.5, 0.5, 0.5}, {0, 0, 1})}, {light}, 0);
-  look.materials[0].reflective = {1, 1, 1};
+  const Appearance look =
+      test::appearance_with({Material(DiffuseMirror(Constant{{0.5, 0.5, 0.5}}, Constant{{1, 1, 1}}),
+                                      Constant{{0, 0, 1}})},
+                            {light}, 0);
   Arrival arrival = test::hit_at({0, 0, 0}, {0, 0.2, 1});
   arrival.met = Met::portal_back;
   const ShadeOutput output = test::shade_one(space, look, arrival);

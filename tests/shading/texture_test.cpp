@@ -93,5 +93,15 @@ TEST(Texture, ItsBrightestIsNowhereSurpassed) {
   }
 }
 
+TEST(Texture, TheBrightestOfASumIsWhereTheSumIs) {
+  const Checker other{{0, 0.5, 0}, {0.25, 0, 0}, 0.5}, finer{{0, 0.5, 0}, {0.25, 0, 0}, 0.25};
+  EXPECT_EQ(brightest_sum(checker, other), (Rgb{1, 1, 0}));
+  EXPECT_EQ(brightest_sum(checker, finer), (Rgb{1.25, 1.5, 0}));
+  EXPECT_EQ(brightest_sum(checker, Constant{{0.5, 0, 0}}), (Rgb{1.5, 1, 0}));
+  auto dark = std::make_shared<Image>(2, 2, 3);
+  for (int c = 0; c < 3; ++c) dark->at(0, 0)[c] = 3.5f;
+  EXPECT_EQ(brightest_sum(Picture{two_by_two()}, Picture{dark}).x, 4.5);
+}
+
 }  // namespace
 }  // namespace portalens

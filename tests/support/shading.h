@@ -16,10 +16,11 @@ inline PlannedSpace plain_space(std::vector<Shape> shapes, std::vector<Portal> p
 }
 
 inline Material diffuse_material(Rgb reflectance, Rgb emitted = {}) {
-  Material material;
-  material.diffuse = Constant{reflectance};
-  material.emitted = emitted;
-  return material;
+  return Material(DiffuseMirror(Constant{reflectance}), Constant{emitted});
+}
+
+inline Material mirror_material(Rgb reflectance, Rgb reflective, double roughness = 0.0) {
+  return Material(DiffuseMirror(Constant{reflectance}, Constant{reflective}, roughness));
 }
 
 /// All bodies have material 0; no ambient light, a black sky.

@@ -11,6 +11,10 @@ namespace {
 using test::compiled;
 using test::Folder;
 
+const Texture& diffuse_of(const Material& material) {
+  return *std::get<DiffuseMirror>(material.bsdf()).textures()[0];
+}
+
 TEST(Compile, AnEmptySceneHasTheDefaultsOfTheFormat) {
   const World world = compiled("[film]\n");
   EXPECT_EQ(world.film.width, 960);
@@ -128,11 +132,11 @@ radius = 1
 )");
   const Appearance& look = world.appearance;
   EXPECT_EQ(look.bodies[0].material, 1u);
-  EXPECT_EQ(std::get<Checker>(look.materials[1].diffuse).size, 2.0);
+  EXPECT_EQ(std::get<Checker>(diffuse_of(look.materials[1])).size, 2.0);
   EXPECT_EQ(look.bodies[1].material, 0u);
-  EXPECT_EQ(look.materials[0].roughness, 0.5);
+  EXPECT_EQ(std::get<DiffuseMirror>(look.materials[0].bsdf()).roughness(), 0.5);
   const Material& plain = look.materials[look.bodies[2].material];
-  EXPECT_EQ(std::get<Constant>(plain.diffuse).color, (Rgb{0.5, 0.5, 0.5}));
+  EXPECT_EQ(std::get<Constant>(diffuse_of(plain)).color, (Rgb{0.5, 0.5, 0.5}));
   EXPECT_FALSE(plain.emits());
 }
 
@@ -161,11 +165,9 @@ file = "two.obj"
 )");
   const auto& lights = world.appearance.lights;
   ASSERT_EQ(lights.size(), 3u);
-  EXPECT_EQ(name_of(lights[0]), "light0");
-  EXPECT_EQ(name_of(lights[1]), "sphere0");
-  EXPECT_EQ(std::get<ShapeLight>(lights[1]).emitted, (Rgb{4, 5, 6}));
-  EXPECT_EQ(name_of(lights[2]), "mesh0");
-  EXPECT_NEAR(std::get<TriangleLight>(lights[2]).area(), 0.5, 1e-12);
+  EXPECT_EQ(world.appearance.light_names, (std::vector<std::string>{"light0", "sphere0", "mesh0"}));
+  EXPECT_EQ(std::get<Constant>(std::get<ShapeLight>(lights[1]).emitted()).color, (Rgb{4, 5, 6}));
+  EXPECT_NEAR(std::get<MeshLight>(lights[2]).area(), 0.5, 1e-12);
 }
 
 TEST(Compile, AMeshKeepsItsOwnMaterialsUnlessTheSceneGivesItOne) {
@@ -186,7 +188,8 @@ translate = [5, 0, 0]
 )");
   const Appearance& look = world.appearance;
   const auto color = [&](std::size_t body, std::uint32_t face) {
-    return std::get<Constant>(look.materials[look.bodies[body].material_of(face)].diffuse).color;
+    return std::get<Constant>(diffuse_of(look.materials[look.bodies[body].material_of(face)]))
+        .color;
   };
   EXPECT_EQ(color(0, 0), (Rgb{0, 1, 0}));
   EXPECT_EQ(color(0, 1), (Rgb{1, 0, 0}));

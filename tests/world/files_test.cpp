@@ -16,7 +16,9 @@ void write_picture(const std::filesystem::path& file) {
   write_image(file, 2, 1, {{"R", {0.25f, 1}}, {"G", {0.5f, 1}}, {"B", {0.75f, 1}}}, {});
 }
 
-const Picture& picture_of(const Material& material) { return std::get<Picture>(material.diffuse); }
+const Picture& picture_of(const Material& material) {
+  return std::get<Picture>(*std::get<DiffuseMirror>(material.bsdf()).textures()[0]);
+}
 
 TEST(Files, AnImageIsReadOnceHoweverManyMaterialsNameIt) {
   const Folder folder;
@@ -104,7 +106,7 @@ p 5 6 7 8 7
   EXPECT_DOUBLE_EQ(world.space.masses[0].gm, 20.0);
   EXPECT_EQ(world.space.masses[0].name, "sphere0");
   ASSERT_EQ(world.appearance.lights.size(), 1u);
-  EXPECT_EQ(name_of(world.appearance.lights[0]), "quad0");
+  EXPECT_EQ(world.appearance.light_names[0], "quad0");
   ASSERT_EQ(world.space.portals.portals().size(), 2u);
   EXPECT_EQ(world.space.portals.portals()[0].pair, 1u);
 }

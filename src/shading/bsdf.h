@@ -1,0 +1,40 @@
+/// \file
+/// The list of BSDFs: how surfaces answer light. equations.md, sec. 7. To add one: a header beside
+/// this one, and a word in `Bsdf`.
+///
+/// Light comes two ways. Lamps are asked from a surface, and `value` answers them; all else that
+/// a surface reflects is found by a photon, sent where `sample` says, which sees lamps, too. So
+/// what is told by one of the two must not be told by the other.
+///
+/// Each type has
+///   static constexpr std::string_view name;               `type` in a [[material]]
+///   static T from(Parameters&, const ImageLoader&);       faults are collected there
+///   std::vector<const Texture*> textures() const;         all that `at` looks at
+///   Rgb max_reflected() const;
+///       what it gives back of light from all round, where it gives back most, or a little more
+///   bool sends() const;                                   whether `sample` gives something
+///   anywhere T::Here at(const SurfacePoint&) const;                the same with its textures
+///   looked up
+/// and is immutable; and `Here`, of few numbers and for unit directions away from the surface, on
+/// the side of the unit `normal`, has
+///   Rgb albedo(Vec3d normal, Vec3d out) const;
+///       what `value` gives back of light that is the same from all round
+///   Rgb value(Vec3d normal, Vec3d out, Vec3d in) const;
+///       the reflectance factor: pi times the BRDF
+///   std::optional<BsdfSample> sample(Vec3d normal, Vec3d out, double u1, double u2) const;
+///       where light comes from that leaves along `out`; nothing if what was drawn is black
+///   Rgb sampled_value(Vec3d normal, Vec3d out, Vec3d in) const;
+///   double density(Vec3d normal, Vec3d out, Vec3d in) const;
+///       of what `sample` draws: its reflectance factor, and the probability per solid angle; both
+///       0 for an exact mirror, all of whose samples are the same
+#pragma once
+
+#include <variant>
+
+#include "shading/diffuse_mirror.h"
+
+namespace portalens {
+
+using Bsdf = std::variant<DiffuseMirror>;
+
+}  // namespace portalens

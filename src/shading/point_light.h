@@ -1,0 +1,31 @@
+/// \file
+/// A light that is a point: `type = "point"`, and what a [[light]] is that has no type.
+#pragma once
+
+#include <numbers>
+#include <string_view>
+
+#include "core/parameters.h"
+#include "geometry/extent.h"
+#include "shading/light_sample.h"
+
+namespace portalens {
+
+struct PointLight {
+  static constexpr std::string_view name = "point";
+  static constexpr bool is_delta = true;
+  Vec3d position;
+  Rgb intensity;  ///< W/sr
+
+  static PointLight from(Parameters& parameters) {
+    const Vec3d position = to_vec3(parameters.triple("position", coordinate));
+    return {position, to_vec3(parameters.triple("intensity", non_negative))};
+  }
+  [[nodiscard]] LightSample sample(Vec3d /*x*/, double /*u1*/, double /*u2*/) const {
+    return {position, {}, intensity, Shining::everywhere};
+  }
+  [[nodiscard]] static double area() { return 0.0; }
+  [[nodiscard]] Rgb power() const { return intensity * (4.0 * std::numbers::pi); }
+};
+
+}  // namespace portalens

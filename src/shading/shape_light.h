@@ -1,0 +1,28 @@
+/// \file
+/// A shape that emits all over, one colour or a texture. Its points are drawn uniformly by area.
+#pragma once
+
+#include "geometry/shape.h"
+#include "shading/light_sample.h"
+#include "shading/texture.h"
+
+namespace portalens {
+
+class ShapeLight {
+ public:
+  static constexpr bool is_delta = false;
+  /// @param emitted  radiance, on both sides
+  ShapeLight(Shape shape, Texture emitted);
+
+  [[nodiscard]] const Texture& emitted() const { return emitted_; }
+  [[nodiscard]] LightSample sample(Vec3d x, double u1, double u2) const;
+  [[nodiscard]] double area() const { return area_; }
+  [[nodiscard]] Rgb power() const;
+
+ private:
+  Shape shape_;
+  Texture emitted_;
+  double area_;
+};
+
+}  // namespace portalens

@@ -1,0 +1,199 @@
+// Laws that every BSDF of the list keeps. The list drives them: a newcomer is tried unasked.
+#include "shading/bsdf.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "support/list_types.h"
+#include "support/random.h"
+#include "support/scale.h"
+#include "support/shading.h"
+
+namespace portalens::test {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+std::shared_ptr<const Image> no_image(const std::string&, const Location&) { return nullptr; }
+
+/// Some of a type, none of which gives back more than it gets.
+template <class Type>
+struct Samples {
+  static std::vector<Type> all() {
+    Table table{"material", {}, {}};
+    table.set("diffuse", value_of({0.3, 0.2, 0.4}));
+    table.set("reflective", value_of({0.5, 0.6, 0.2}));
+    table.set("base_color", value_of({0.8, 0.6, 0.9}));
+    for (const char* key : {"roughness", "metallic"}) table.set(key, value_of(0.5));
+    return from_common_keys<Type>(table, no_image);
+  }
+};
+template <>
+struct Samples<DiffuseMirror> {
+  static std::vector<DiffuseMirror> all() {
+    const Texture grey = Constant{{0.3, 0.2, 0.4}}, silver = Constant{{0.5, 0.6, 0.2}};
+    const Texture tiles = Checker{{0.9, 0, 0}, {0, 0.8, 0.1}, 0.25};
+    const Texture gaps = Checker{{0.1, 0, 0}, {1, 0.2, 0.9}, 0.25};
+    return {DiffuseMirror(grey),
+            DiffuseMirror(grey, silver),
+            DiffuseMirror(grey, silver, 0.5),
+            DiffuseMirror(Constant{{}}, Constant{{1, 1, 1}}, 0.8),
+            DiffuseMirror(tiles, gaps),
+            DiffuseMirror(tiles, gaps, 0.6)};
+  }
+};
+
+template <class Type>
+class EachBsdf : public testing::Test {};
+TYPED_TEST_SUITE(EachBsdf, TypesOf<Bsdf>::type);
+
+constexpr Vec3d normal{0, 0, 1};
+
+SurfacePoint some_place(Random& random) {
+  SurfacePoint point;
+  point.u = random.uniform(0, 1);
+  point.v = random.uniform(0, 1);
+  return point;
+}
+
+/// On the normal's side.
+Vec3d some_direction(Random& random) {
+  const Vec3d w = random.direction();
+  return {w.x, w.y, std::fabs(w.z) + 1e-3};
+}
+
+/// In proportion to its cosine.
+Vec3d lambert_direction(double u1, double u2) {
+  const double r = std::sqrt(u1), turn = 2 * pi * u2;
+  return {r * std::cos(turn), r * std::sin(turn), std::sqrt(1 - u1)};
+}
+
+/// Calls `use(bsdf, its Here, out)` for places on each sample.
+template <class Type, class Use>
+void for_places(std::uint64_t seed, int count, const Use& use) {
+  for (const Type& bsdf : Samples<Type>::all()) {
+    Random random(seed);
+    for (int i = 0; i < count; ++i) {
+      const auto here = bsdf.at(some_place(random));
+      use(bsdf, here, normalize(some_direction(random)));
+    }
+  }
+}
+
+template <class Here>
+Rgb sampled_weight(const Here& here, Vec3d out, std::uint64_t key) {
+  const auto sample = here.sample(normal, out, random_number(key, 0), random_number(key, 1));
+  return sample ? sample->color * sample->weight : Rgb{};
+}
+
+TYPED_TEST(EachBsdf, GivesBackNoMoreThanItGets) {
+  for_places<TypeParam>(1, scaled(20), [](const auto& bsdf, const auto& here, Vec3d out) {
+    const Rgb most = bsdf.max_reflected();
+    for (const Vec3d channel : {Vec3d{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) {
+      const auto sent = estimate(
+          500, [&](std::uint64_t key) { return dot(channel, sampled_weight(here, out, key)); });
+      const double back = dot(channel, here.albedo(normal, out)) + sent.mean - 4 * sent.error;
+      EXPECT_LE(back, 1 + 1e-12);
+      EXPECT_LE(back, dot(channel, most) + 1e-12);
+    }
+  });
+}
+
+TYPED_TEST(EachBsdf, ItsAlbedoIsTheMeanOfItsValue) {
+  for_places<TypeParam>(2, scaled(20), [](const auto&, const auto& here, Vec3d out) {
+    const auto mean = estimate(2000, [&](std::uint64_t key) {
+      const Vec3d in = lambert_direction(random_number(key, 0), random_number(key, 1));
+      const Rgb value = here.value(normal, out, in);
+      EXPECT_GE(std::min({value.x, value.y, value.z}), 0.0);
+      return value.x + value.y + value.z;
+    });
+    const Rgb albedo = here.albedo(normal, out);
+    EXPECT_NEAR(mean.mean, albedo.x + albedo.y + albedo.z, 4 * mean.error + 1e-12);
+  });
+}
+
+TYPED_TEST(EachBsdf, ValuesAreReciprocal) {
+  Random random(3);
+  for_places<TypeParam>(3, scaled(200), [&](const auto&, const auto& here, Vec3d out) {
+    const Vec3d in = normalize(some_direction(random));
+    EXPECT_LT(length(here.value(normal, out, in) - here.value(normal, in, out)), 1e-12);
+    const Rgb there = here.sampled_value(normal, out, in),
+              back = here.sampled_value(normal, in, out);
+    EXPECT_LT(length(there - back), 1e-9 * (1 + length(there)));
+  });
+}
+
+/// Light of the pattern g that is looked for in the pattern h, and the other way round: that holds
+/// for exact mirrors, too, which have no value.
+TYPED_TEST(EachBsdf, SamplesAreReciprocal) {
+  const auto g = [](Vec3d w) { return w.x > 0.1 ? w.z : 0.0; };
+  const auto h = [](Vec3d w) { return 1.0 + w.y - 0.5 * w.x; };
+  for (const TypeParam& bsdf : Samples<TypeParam>::all()) {
+    Random random(4);
+    const auto here = bsdf.at(some_place(random));
+    const auto carried = [&](const auto& from, const auto& to) {
+      return estimate(scaled(20000), [&](std::uint64_t key) {
+        const Vec3d out = lambert_direction(random_number(key, 2), random_number(key, 3));
+        const auto sample = here.sample(normal, out, random_number(key, 0), random_number(key, 1));
+        return sample ? to(out) * sample->color.x * sample->weight * from(sample->direction) : 0.0;
+      });
+    };
+    const Estimate one = carried(g, h), other = carried(h, g);
+    EXPECT_NEAR(one.mean, other.mean, 4 * (one.error + other.error) + 1e-12);
+  }
+}
+
+TYPED_TEST(EachBsdf, SamplesWeighWhatValueOverDensitySays) {
+  Random random(5);
+  for_places<TypeParam>(5, scaled(200), [&](const auto&, const auto& here, Vec3d out) {
+    const auto sample = here.sample(normal, out, random.uniform(0, 1), random.uniform(0, 1));
+    if (!sample) return;
+    const Vec3d in = sample->direction;
+    EXPECT_NEAR(length(in), 1.0, 1e-12);
+    EXPECT_GT(dot(in, normal), 0.0);
+    EXPECT_GE(sample->weight, 0.0);
+    const double density = here.density(normal, out, in);
+    const Rgb value = here.sampled_value(normal, out, in);
+    const Rgb expected = value * (dot(in, normal) / pi);
+    EXPECT_LT(length(sample->color * sample->weight * density - expected),
+              1e-6 * (length(expected) + 1e-9));
+  });
+}
+
+TYPED_TEST(EachBsdf, SamplesFollowTheirDensity) {
+  for_places<TypeParam>(6, 4, [](const auto&, const auto& here, Vec3d out) {
+    const auto first = here.sample(normal, out, 0.5, 0.5);
+    if (!first || here.density(normal, out, first->direction) == 0.0) return;
+    const auto pattern = [](Vec3d w) { return 0.2 + w.x * w.x + (w.y > 0.2 ? w.z : 0.0); };
+    const auto drawn = estimate(scaled(20000), [&](std::uint64_t key) {
+      const auto sample = here.sample(normal, out, random_number(key, 0), random_number(key, 1));
+      return sample ? pattern(sample->direction) : 0.0;
+    });
+    const auto told = estimate(scaled(60000), [&](std::uint64_t key) {
+      const double z = random_number(key, 0), turn = 2 * pi * random_number(key, 1);
+      const double r = std::sqrt(1 - z * z);
+      const Vec3d in{r * std::cos(turn), r * std::sin(turn), z};
+      return 2 * pi * here.density(normal, out, in) * pattern(in);
+    });
+    EXPECT_NEAR(drawn.mean, told.mean, 4 * (drawn.error + told.error));
+  });
+}
+
+TYPED_TEST(EachBsdf, SaysWhatIsBlack) {
+  Random random(7);
+  for_places<TypeParam>(7, scaled(200), [&](const auto& bsdf, const auto& here, Vec3d out) {
+    const Vec3d in = normalize(some_direction(random));
+    if (is_black(here.albedo(normal, out))) {
+      EXPECT_TRUE(is_black(here.value(normal, out, in)));
+    }
+    if (!bsdf.sends()) {
+      EXPECT_FALSE(here.sample(normal, out, random.uniform(0, 1), random.uniform(0, 1)));
+    }
+    EXPECT_FALSE(bsdf.textures().empty());
+  });
+}
+
+}  // namespace
+}  // namespace portalens::test

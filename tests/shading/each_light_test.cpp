@@ -1,0 +1,64 @@
+// Laws that every light of the list keeps. The list drives them: a newcomer is tried unasked.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "shading/light_samples.h"
+#include "support/random.h"
+#include "support/scale.h"
+#include "support/shading.h"
+
+namespace portalens::test {
+namespace {
+
+template <class Type>
+class EachLight : public testing::Test {};
+TYPED_TEST_SUITE(EachLight, TypesOf<Light>::type);
+
+constexpr Vec3d middle{0, 3, 0};
+
+TYPED_TEST(EachLight, ItsPowerArrivesOnAnySphereAroundIt) {
+  for (const TypeParam& light : LightSamples<TypeParam>::all()) {
+    const Rgb power = light.power();
+    for (const double radius : {12.0, 50.0})
+      for (const Vec3d channel : {Vec3d{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) {
+        Random random(1);
+        const auto arrived = estimate(scaled(20000), [&](std::uint64_t) {
+          const Vec3d way = random.direction(), x = middle + way * radius;
+          const double u1 = random.uniform(0, 1), u2 = random.uniform(0, 1);
+          return 4 * std::numbers::pi * radius * radius *
+                 dot(channel, irradiance(light.sample(x, u1, u2), x, -way));
+        });
+        const double expected = dot(channel, power);
+        EXPECT_NEAR(arrived.mean, expected, 4 * arrived.error + 2e-3 * expected);
+      }
+  }
+}
+
+TYPED_TEST(EachLight, ItsSamplesAreSound) {
+  for (const TypeParam& light : LightSamples<TypeParam>::all()) {
+    Random random(2);
+    for (int i = 0; i < scaled(1000); ++i) {
+      const Vec3d x = random.point(10);
+      const double u1 = random.uniform(0, 1), u2 = random.uniform(0, 1);
+      const LightSample sample = light.sample(x, u1, u2);
+      EXPECT_TRUE(is_finite(sample.position) && is_finite(sample.power));
+      EXPECT_GE(std::min({sample.power.x, sample.power.y, sample.power.z}), 0.0);
+      if (sample.shining != Shining::everywhere) {
+        EXPECT_NEAR(length(sample.normal), 1.0, 1e-12);
+      }
+    }
+  }
+}
+
+TYPED_TEST(EachLight, HasAnAreaUnlessOneSampleTellsAllOfIt) {
+  for (const TypeParam& light : LightSamples<TypeParam>::all()) {
+    const auto at = [&](double u1, double u2) { return light.sample({1, 0, 2}, u1, u2); };
+    EXPECT_EQ(light.area() == 0.0, TypeParam::is_delta);
+    EXPECT_EQ(at(0.1, 0.2).position == at(0.7, 0.6).position, TypeParam::is_delta);
+  }
+}
+
+}  // namespace
+}  // namespace portalens::test
