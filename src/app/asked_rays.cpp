@@ -8,10 +8,10 @@
 #include <fstream>
 #include <iostream>
 #include <memory>
-#include <numbers>
 
 #include "app/read_rays.h"
 #include "core/error.h"
+#include "geometry/rays.h"
 
 namespace portalens {
 namespace {
@@ -79,15 +79,9 @@ class Collector {
                         max_rays));
       return;
     }
-    const Vec3d d = middle->direction, off = across - d * dot(across, d);
-    const Vec3d axis = length(off) > 1e-6 ? normalize(off) : any_perpendicular(d);
-    const Vec3d side = cross(axis, d);
-    for (int i = 0; i < static_cast<int>(count); ++i) {
-      const double share = count > 1.0 ? i / (count - 1.0) - 0.5 : 0.0;
-      const double angle = share * spread * std::numbers::pi / 180.0;
-      rays_.push_back({fmt::format("fan {}", i + 1),
-                       {middle->origin, normalize(d * std::cos(angle) + side * std::sin(angle))}});
-    }
+    int number = 0;
+    for (const Ray& ray : fan_of(*middle, across, spread, static_cast<int>(count)))
+      rays_.push_back({fmt::format("fan {}", ++number), ray});
   }
 
   void add_grid() {

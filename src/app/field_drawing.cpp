@@ -7,7 +7,7 @@
 #include <numbers>
 #include <span>
 
-#include "app/field_report.h"
+#include "photon/field_parts.h"
 #include "render/parallel.h"
 
 namespace portalens {

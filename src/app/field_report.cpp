@@ -2,26 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <variant>
-
-#include "gravity/attraction.h"
-
 namespace portalens {
 namespace {
 
 std::string place(Vec3d v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z); }
-
-bool acts(const Mass& mass, Vec3d x) {
-  const Vec3d to = mass.center - x;
-  const double square = dot(to, to);
-  // Exactly at a point mass no direction is better than another.
-  return mass.gm > 0.0 && square < mass.influence * mass.influence &&
-         square + mass.core * mass.core > 0.0;
-}
-
-Vec3d pull_of(const Mass& mass, Vec3d x) {
-  return attraction(mass.center - x, mass.gm, mass.core * mass.core);
-}
 
 /// "blue, orange": the portals of a path.
 std::string names_of(const Space& space, const std::vector<std::uint32_t>& portals) {
@@ -37,27 +21,6 @@ std::string line(const std::string& title, Vec3d acceleration, const std::string
 }
 
 }  // namespace
-
-Vec3d field_at(const Space& space, Vec3d x) {
-  Vec3d total = std::visit([&](const auto& coupling) { return coupling.pull(x, x).acceleration; },
-                           space.coupling);
-  for (const Mass& mass : space.masses)
-    if (acts(mass, x)) total += pull_of(mass, x);
-  return total;
-}
-
-FieldReport report_field(const Space& space, Vec3d x) {
-  FieldReport report;
-  report.position = x;
-  report.total = field_at(space, x);
-  for (std::uint32_t i = 0; i < space.masses.size(); ++i) {
-    const Mass& mass = space.masses[i];
-    if (acts(mass, x)) report.direct.push_back({i, pull_of(mass, x), length(mass.center - x)});
-  }
-  report.through =
-      std::visit([&](const auto& coupling) { return coupling.parts(x); }, space.coupling);
-  return report;
-}
 
 Json field_json(const Space& space, const FieldReport& report) {
   Json direct = Json::array(), through = Json::array();

@@ -1,9 +1,12 @@
 #include "app/read_rays.h"
 
+#include <array>
 #include <charconv>
-#include <cmath>
 #include <memory>
+#include <optional>
 #include <string_view>
+
+#include "geometry/rays.h"
 
 namespace portalens {
 namespace {
@@ -38,16 +41,6 @@ std::string shown(const std::string& line) {
 }
 
 }  // namespace
-
-std::optional<Ray> ray_of(const std::array<double, 6>& numbers) {
-  const Vec3d origin{numbers[0], numbers[1], numbers[2]};
-  const Vec3d direction{numbers[3], numbers[4], numbers[5]};
-  const double largest =
-      max_component({std::fabs(direction.x), std::fabs(direction.y), std::fabs(direction.z)});
-  if (!is_finite(origin) || !is_finite(direction) || largest == 0.0) return std::nullopt;
-  // Divided first, so that squares neither vanish nor overflow.
-  return Ray{origin, normalize(direction / largest)};
-}
 
 std::vector<Ray> read_rays(std::istream& input, const std::string& name) {
   const auto file = std::make_shared<const std::string>(name);

@@ -2,9 +2,7 @@
 /// The rays that `portalens trace` is asked for: one a line, `x y z dx dy dz`.
 #pragma once
 
-#include <array>
 #include <istream>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,10 +10,6 @@
 #include "geometry/ray.h"
 
 namespace portalens {
-
-/// A ray with its direction made a unit vector.
-/// @return nothing if a number is not finite, or the direction is zero
-[[nodiscard]] std::optional<Ray> ray_of(const std::array<double, 6>& numbers);
 
 /// Empty lines, and those that begin with '#', are skipped.
 /// @param name  what messages call the input

@@ -21,6 +21,7 @@
 #include "app/read_rays.h"
 #include "app/scene_options.h"
 #include "app/trace_ray.h"
+#include "geometry/rays.h"
 #include "io/files.h"
 #include "io/polylines.h"
 #include "render/camera_photon.h"
