@@ -14,3 +14,6 @@ endif()
 if(PORTALENS_STD_THREADS)
   target_compile_definitions(portalens_flags INTERFACE PORTALENS_STD_THREADS)
 endif()
+if(PORTALENS_FUZZ)  # toml++ compiled in, so that the fuzzer sees into it
+  target_compile_definitions(portalens_flags INTERFACE TOML_HEADER_ONLY=1)
+endif()

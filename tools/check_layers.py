@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Holds the rooms of src/ apart: includes go only the way docs/architecture.md says.
+"""Holds the rooms of src/ apart: includes go only the way docs/architecture.md says; and the public
+headers in include/ apart from all of them.
 
     tools/check_layers.py [ROOT]      ROOT is the repository, by default the one this file stands in
 
@@ -25,7 +26,12 @@ BENEATH = {
 }
 BENEATH["world"] = list(BENEATH)
 BENEATH["render"] = list(BENEATH)
-BENEATH["app"] = list(BENEATH)
+BENEATH["api"] = BENEATH["app"] = list(BENEATH)
+
+# The public headers are for the room that stands behind them; all may ask for the version.
+PUBLIC = "portalens"
+PUBLIC_FOR = ["api"]
+PUBLIC_FOR_ALL = ["portalens/version.h"]
 
 # Libraries that only some places may know: start of the include -> starts of the paths.
 KEPT = {
@@ -61,15 +67,34 @@ def faults_of(source, path):
         if bracket == "<":
             continue
         other = name.split("/")[0]
-        if "/" not in name or other not in BENEATH:
+        if other == PUBLIC:
+            if room not in PUBLIC_FOR and name not in PUBLIC_FOR_ALL:
+                yield number, f'"{name}" is for those outside, and for {", ".join(PUBLIC_FOR)}'
+        elif "/" not in name or other not in BENEATH:
             yield number, f'"{name}" should name its room, as in "math/vec3.h"'
         elif other != room and other not in BENEATH[room]:
             allowed = ", ".join(BENEATH[room]) or "nothing"
             yield number, f'{room} may not include "{name}"; it may include {allowed}'
 
 
+def faults_of_public(source):
+    """The same of a public header."""
+    for number, line in enumerate(source.splitlines(), start=1):
+        found = INCLUDE.match(line)
+        if not found:
+            continue
+        bracket, name = found.groups()
+        standard = bracket == "<" and re.fullmatch(r"[a-z_0-9]+", name)
+        if not standard and not (bracket == '"' and name.startswith(PUBLIC + "/")):
+            yield number, f"a public header includes only std and {PUBLIC}/, not {name}"
+
+
 def check(root):
-    """All the faults under root/src, as lines to print."""
+    """All the faults under root/src and root/include, as lines to print."""
+    headers = pathlib.Path(root) / "include"
+    for file in sorted(headers.rglob("*.h")):
+        for number, message in faults_of_public(file.read_text(encoding="utf-8")):
+            yield f"include/{file.relative_to(headers).as_posix()}:{number}: {message}"
     sources = pathlib.Path(root) / "src"
     for file in sorted(sources.rglob("*")):
         if file.suffix in {".h", ".cpp"}:

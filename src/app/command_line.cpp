@@ -9,6 +9,7 @@
 #include "app/command.h"
 #include "core/error.h"
 #include "core/words.h"
+#include "portalens/version.h"
 
 namespace portalens {
 namespace {
@@ -96,7 +97,7 @@ int run_command_line(std::vector<std::string> arguments) {
                    "portalens");
   program.formatter(std::make_shared<NarrowHelp>());
   program.footer(examples);
-  program.set_version_flag("--version", "portalens " PORTALENS_VERSION);
+  program.set_version_flag("--version", "portalens " + std::string(api::version));
   program.require_subcommand(1);
   Command chosen;
   add_render_command(program, chosen);

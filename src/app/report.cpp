@@ -8,6 +8,7 @@
 
 #include "app/progress_bar.h"
 #include "core/words.h"
+#include "portalens/version.h"
 #include "render/manner.h"
 
 namespace portalens {
@@ -159,7 +160,7 @@ Metadata world_metadata(const World& world, const RenderOptions& options) {
   const Physics& physics = world.space.physics;
   const ShadingLimits& limits = world.appearance.limits;
   Metadata metadata = {
-      {"Software", "portalens " PORTALENS_VERSION},
+      {"Software", "portalens " + std::string(api::version)},
       {"portalens:scene", world.file.filename().string()},
       {"portalens:film", fmt::format("{} x {}", world.film.width, world.film.height)},
       {"portalens:samples", fmt::format("{}", world.sampling.samples)},

@@ -16,14 +16,6 @@ namespace {
 constexpr std::uint64_t max_toml = std::uint64_t{1} << 20;
 constexpr std::uint64_t max_obj = std::uint64_t{1} << 30;  // an ordinary mesh may be its own scene
 
-/// Every section has its name and place, also where the file leaves it out.
-Scene empty_scene(const std::filesystem::path& file, const Location& whole) {
-  Scene scene;
-  scene.file = file;
-  for (const std::string& name : sections_known()) *find_section(scene, name) = {name, whole, {}};
-  return scene;
-}
-
 std::string lower_suffix(const std::filesystem::path& file) {
   std::string suffix = file.extension().string();
   for (char& letter : suffix) {
@@ -32,12 +24,23 @@ std::string lower_suffix(const std::filesystem::path& file) {
   return suffix;
 }
 
+void check_not_empty(std::string_view text, const Location& whole) {
+  if (text.empty()) throw SceneError({{whole, "the file is empty", "describe a scene in it"}});
+}
+
 }  // namespace
 
+Scene empty_scene(const std::filesystem::path& file) {
+  const Location whole{std::make_shared<const std::string>(file.string()), 0};
+  Scene scene;
+  scene.file = file;
+  for (const std::string& name : sections_known()) *find_section(scene, name) = {name, whole, {}};
+  return scene;
+}
+
 Scene read_scene(const std::filesystem::path& file) {
-  const auto name = std::make_shared<const std::string>(file.string());
-  const Location whole{name, 0};
-  Scene scene = empty_scene(file, whole);
+  Scene scene = empty_scene(file);
+  const Location whole = scene.camera.where;
   Faults faults;
   const std::string suffix = lower_suffix(file);
   if (suffix != ".toml" && suffix != ".obj") {
@@ -46,13 +49,21 @@ Scene read_scene(const std::filesystem::path& file) {
     faults.raise();
   }
   const auto text = read_file(file, suffix == ".toml" ? max_toml : max_obj, whole, faults);
-  if (text && text->empty()) faults.add(whole, "the file is empty", "describe a scene in it");
   faults.raise();
+  check_not_empty(*text, whole);
   if (suffix == ".toml") {
-    read_toml(*text, name, scene);
+    read_toml(*text, whole.file, scene);
   } else {
-    read_obj(*text, name, scene);
+    read_obj(*text, whole.file, scene);
   }
+  return scene;
+}
+
+Scene read_scene_text(std::string_view text, const std::filesystem::path& file) {
+  Scene scene = empty_scene(file);
+  const Location whole = scene.camera.where;
+  check_not_empty(text, whole);
+  read_toml(text, whole.file, scene);
   return scene;
 }
 

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 #include <string>
-#include <vector>
+#include <string_view>
 
 #include "scene/scene.h"
 
@@ -14,6 +14,13 @@ namespace portalens {
 /// together with what it finds.
 /// @throws SceneError if the file can't be read, or if nothing after the fault could be
 [[nodiscard]] Scene read_scene(const std::filesystem::path& file);
+
+/// The same of TOML that lies in memory.
+/// @param file  how messages call it; in its folder the scene's files are sought
+[[nodiscard]] Scene read_scene_text(std::string_view text, const std::filesystem::path& file);
+
+/// A scene without anything in it: every section has its name and place.
+[[nodiscard]] Scene empty_scene(const std::filesystem::path& file);
 
 /// Sets `section.key` to a value written as in TOML ("physics.tolerance=1e-5"), as if the file said
 /// so. An unknown section is a fault of the command line.

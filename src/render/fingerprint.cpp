@@ -7,6 +7,7 @@
 
 #include "io/digest.h"
 #include "lanes/instruction_sets.h"
+#include "portalens/version.h"
 #include "render/source_digest.h"
 
 namespace portalens {
@@ -92,7 +93,7 @@ std::string layer_list(const std::vector<Layer>& layers) {
 
 Fingerprint fingerprint_of(const Scene& scene, const World& world, const RenderOptions& options) {
   Fingerprint fingerprint = {
-      {"the program", PORTALENS_VERSION " (sources " PORTALENS_SOURCE_DIGEST ")"},
+      {"the program", std::string(api::version) + " (sources " PORTALENS_SOURCE_DIGEST ")"},
       {"the kind of processor", processor_kind()},
       {"the engine", engine_name(world, options)},
       {"film.width", fmt::format("{}", world.film.width)},

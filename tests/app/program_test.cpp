@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "io/image.h"
+#include "portalens/version.h"
 #include "support/run_program.h"
 
 namespace portalens {
@@ -48,7 +49,7 @@ TEST(Program, TeachesWhatItDoes) {
     EXPECT_EQ(run_portalens(folder.path(), {command, "--help"}).code, 0);
   const Outcome version = run_portalens(folder.path(), {"--version"});
   EXPECT_EQ(version.code, 0);
-  EXPECT_EQ(version.output, "portalens " PORTALENS_VERSION "\n");
+  EXPECT_EQ(version.output, "portalens " + std::string(api::version) + "\n");
 }
 
 TEST(Program, AFaultOfTheCommandLineExitsWith2AndSaysWhy) {

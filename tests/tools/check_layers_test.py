@@ -13,7 +13,8 @@ def run_on(files):
     """Runs the tool on a tree made of `files`, path -> text; gives its exit status and output."""
     with tempfile.TemporaryDirectory() as root:
         for path, text in files.items():
-            target = pathlib.Path(root) / "src" / path
+            folder = "include" if path.startswith("portalens/") else "src"
+            target = pathlib.Path(root) / folder / path
             target.parent.mkdir(parents=True, exist_ok=True)
             target.write_text(text, encoding="utf-8")
         done = subprocess.run([sys.executable, TOOL, root], capture_output=True, text=True,
@@ -57,6 +58,27 @@ class CheckLayers(unittest.TestCase):
         self.assertEqual(run_on({"math/rigid.h": '#include "vec3.h"\n'})[0], 1)
         self.assertEqual(run_on({"math/rigid.h": '#include "../core/error.h"\n'})[0], 1)
         self.assertEqual(run_on({"cellar/wine.h": "\n"})[0], 1)
+
+    def test_public_headers_include_only_std_and_each_other(self):
+        good = {"portalens/world.h": '#include <vector>\n#include "portalens/scene.h"\n'}
+        self.assertEqual(run_on(good)[0], 0)
+        for line in ('"math/vec3.h"', "<fmt/format.h>", "<zlib.h>", '"scene.h"'):
+            status, output = run_on({"portalens/world.h": f"#include <vector>\n#include {line}\n"})
+            self.assertEqual(status, 1)
+            self.assertIn("include/portalens/world.h:2: ", output)
+
+    def test_only_the_api_may_include_public_headers_but_all_the_version(self):
+        line = '#include "portalens/world.h"\n'
+        self.assertEqual(run_on({"api/world.cpp": line})[0], 0)
+        self.assertEqual(run_on({"world/compile.cpp": line})[0], 1)
+        self.assertEqual(run_on({"app/main.cpp": line})[0], 1)
+        version = '#include "portalens/version.h"\n'
+        self.assertEqual(run_on({"render/fingerprint.cpp": version})[0], 0)
+
+    def test_neither_the_api_nor_the_command_line_knows_the_other(self):
+        for path, other in (("api/world.cpp", "app/report.h"), ("app/main.cpp", "api/access.h"),
+                            ("render/render.cpp", "api/access.h")):
+            self.assertEqual(run_on({path: f'#include "{other}"\n'})[0], 1)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,19 @@
+# What `cmake --install` puts where: the program, the library with its headers, and what
+# find_package(portalens) reads. docs/library.md says what the version promises.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/portalens)
+
+install(TARGETS portalens RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS portalens_core EXPORT portalensTargets
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/portalens
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
+install(EXPORT portalensTargets NAMESPACE portalens:: DESTINATION ${package_folder})
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/portalensConfig.cmake.in
+  ${CMAKE_BINARY_DIR}/generated/portalensConfig.cmake INSTALL_DESTINATION ${package_folder})
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/generated/portalensConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_BINARY_DIR}/generated/portalensConfig.cmake
+  ${CMAKE_BINARY_DIR}/generated/portalensConfigVersion.cmake DESTINATION ${package_folder})
