@@ -3,7 +3,7 @@ BUILD ?= build
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 DEMO_SCENE ?= scenes/demo.toml
 DEMO_PICTURE ?= $(BUILD)/demo.png
-sources = $(shell find src tests benchmarks fuzz -name '*.h' -o -name '*.cpp')
+sources = $(shell find src include tests benchmarks fuzz examples -name '*.h' -o -name '*.cpp')
 
 .PHONY: all demo test test-long differential fuzz bench format clean
 
