@@ -36,10 +36,8 @@ struct Stage {
 /// A rectangle of half-sides w and h, in its own frame.
 Portal rectangle(const Frame& frame, double w, double h) {
   Portal portal;
-  portal.vertices = {frame.to_world({-w, -h, 0}), frame.to_world({w, -h, 0}),
-                     frame.to_world({w, h, 0}), frame.to_world({-w, h, 0})};
-  portal.frame = polygon_frame(portal.vertices);
-  portal.longest_edge = 2.0 * std::max(w, h);
+  give_face(portal, polygon_input({frame.to_world({-w, -h, 0}), frame.to_world({w, -h, 0}),
+                                   frame.to_world({w, h, 0}), frame.to_world({-w, h, 0})}));
   return portal;
 }
 

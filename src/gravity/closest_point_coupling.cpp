@@ -52,21 +52,6 @@ double ClosestPointCoupling::distance_to_support(Vec3d x) const {
   return least;
 }
 
-namespace {
-
-/// Within this distance of `local` its nearest point, of that feature, does not move at all: only a
-/// vertex may stay so.
-double still(const PortalFace& face, Feature feature, Vec3d local) {
-  if (feature.kind != Feature::Kind::vertex) return 0.0;
-  const std::vector<FaceEdge>& edges = face.edges();
-  const FaceEdge& next = edges[feature.index];
-  const FaceEdge& last = edges[(feature.index + edges.size() - 1) % edges.size()];
-  return std::max(
-      0.0, std::min(-next.along(local.x, local.y), last.along(local.x, local.y) - last.length));
-}
-
-}  // namespace
-
 double ClosestPointCoupling::distance_to_discontinuity(Vec3d x, int depth,
                                                        std::uint32_t left_out) const {
   double least = std::numeric_limits<double>::infinity();
@@ -92,7 +77,7 @@ double ClosestPointCoupling::distance_to_discontinuity(Vec3d x, int depth,
     for (const Source& source : sources_)
       behind = std::min(behind,
                         std::fabs(length(source.center - beyond) - std::sqrt(source.influence2)));
-    least = std::min(least, std::max(behind, still(gate.face, feature, local)));
+    least = std::min(least, std::max(behind, gate.face.still(feature, local)));
   }
   return least;
 }
@@ -146,8 +131,8 @@ Pull ClosestPointCoupling::through_portals(Vec3d x, Vec3d anchor, int depth,
                         ? q_anchor
                         : face.frame().to_world(face.place(feature, face.frame().to_local(x)));
     Pull through = passed_on(a, q, q_anchor, depth);
-    // A vertex stays where it is.
-    if (feature.kind == Feature::Kind::vertex) through.gradient = 0.0;
+    // A vertex stays where it is; along a curved rim the nearest point may be quick.
+    through.gradient *= face.pace(feature, local_anchor);
     total += through;
   }
   return total;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "gravity/decision_hash.h"
 
@@ -30,15 +29,8 @@ CouplingCost GravitonMapCoupling::cost(const CouplingInput& input) {
 
 GravitonGrid GravitonMapCoupling::grid_on(std::uint32_t portal, const CouplingInput& input) const {
   const PortalFace& face = exact_.face(portal);
-  double low_x = std::numeric_limits<double>::infinity(), low_y = low_x;
-  double high_x = -low_x, high_y = -low_x;
-  for (const FaceEdge& edge : face.edges()) {
-    low_x = std::min(low_x, edge.start_x);
-    low_y = std::min(low_y, edge.start_y);
-    high_x = std::max(high_x, edge.start_x);
-    high_y = std::max(high_y, edge.start_y);
-  }
-  GravitonGrid grid(low_x, low_y, high_x, high_y, input.graviton_resolution);
+  const PlaneBox box = box_of(face.aperture());
+  GravitonGrid grid(box.low_x, box.low_y, box.high_x, box.high_y, input.graviton_resolution);
   const double reach = exact_.reach(portal);
   if (!(reach > 0.0)) return grid;
   const auto passed_on = [&](Vec3d place) {
@@ -73,8 +65,8 @@ Pull GravitonMapCoupling::pull(Vec3d x, Vec3d anchor) const {
     const Vec3d place = face.place(draw.feature, face.frame().to_local(x));
     const bool frozen = draw.kind == GravitonGrid::Kind::sharp;
     Pull through = grids_[a].interpolate(frozen ? draw.cell : grids_[a].cell_at(place), place);
-    // A vertex stays where it is.
-    if (draw.feature.kind == Feature::Kind::vertex) through.gradient = 0.0;
+    // A vertex stays where it is; along a curved rim the nearest point may be quick.
+    through.gradient *= face.pace(draw.feature, face.frame().to_local(anchor));
     total += through;
   }
   return total;

@@ -11,15 +11,6 @@ namespace portalens {
 
 namespace {
 
-double polygon_area(const Portal& portal) {
-  Vec3d twice;
-  const std::size_t count = portal.vertices.size();
-  for (std::size_t i = 0; i < count; ++i)
-    twice += cross(portal.vertices[i] - portal.frame.origin,
-                   portal.vertices[(i + 1) % count] - portal.frame.origin);
-  return 0.5 * length(twice);
-}
-
 bool within(const PortalMassCoupling::Image& image, Vec3d x) {
   const Vec3d to = image.center - x;
   return dot(to, to) < image.influence * image.influence;
@@ -32,7 +23,7 @@ PortalMassCoupling::PortalMassCoupling(const CouplingInput& input) {
   for (std::uint32_t a = 0; a < input.portals.size(); ++a) {
     const Portal& portal = input.portals[a];
     const Vec3d beyond = input.portals[portal.pair].frame.origin;
-    const double core2 = polygon_area(portal) / std::numbers::pi;
+    const double core2 = area_of(portal.aperture) / std::numbers::pi;
     double gm = 0.0;
     for (const Mass& mass : input.masses) {
       const Vec3d to_mass = mass.center - beyond;

@@ -25,7 +25,7 @@ PortalFace unfold_face(std::span<const Portal> portals, std::span<const std::uin
   for (Vec3d* axis : {&frame.right, &frame.up, &frame.normal})
     for (std::size_t i = chain.size(); i-- > 0;)
       *axis = portals[chain[i]].through.rotate_back(*axis);
-  return PortalFace(std::move(vertices), frame, portal.height_tolerance());
+  return PortalFace(aperture_at(portal, vertices, frame), frame, portal.height_tolerance());
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "portal/portal.h"
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 #include <utility>
 
@@ -17,6 +18,32 @@ Frame polygon_frame(const std::vector<Vec3d>& vertices) {
   const Vec3d edge = vertices[1] - vertices[0];
   const Vec3d right = normalize(edge - normal * dot(edge, normal));
   return {origin, right, cross(normal, right), normal};
+}
+
+FaceInput polygon_input(std::vector<Vec3d> vertices) {
+  FaceInput input;
+  input.frame = polygon_frame(vertices);
+  input.vertices = std::move(vertices);
+  return input;
+}
+
+void give_face(Portal& portal, const FaceInput& input) {
+  std::optional<Aperture> aperture = aperture_from(input);
+  assert(aperture);
+  portal.frame = input.frame;
+  portal.aperture = *std::move(aperture);
+  portal.longest_edge = size_of(portal.aperture);
+  portal.vertices = input.vertices;
+  if (!portal.vertices.empty()) return;
+  for (const Vec3d& corner : outline_of(portal.aperture))
+    portal.vertices.push_back(portal.frame.to_world(corner));
+}
+
+Aperture aperture_at(const Portal& portal, const std::vector<Vec3d>& vertices, const Frame& frame) {
+  std::vector<Vec3d> local;
+  for (const Vec3d& vertex : vertices) local.push_back(frame.to_local(vertex));
+  return std::visit([&](const auto& a) { return Aperture(a.carried(std::move(local))); },
+                    portal.aperture);
 }
 
 Rigid motion_through(const Frame& a, const Frame& b) {
@@ -41,6 +68,7 @@ std::vector<Portal> one_sided(std::span<const Portal> portals) {
     std::swap(reverse.vertices[0], reverse.vertices[1]);
     reverse.frame.right = -portal.frame.right;
     reverse.frame.normal = -portal.frame.normal;
+    reverse.aperture = aperture_at(portal, reverse.vertices, reverse.frame);
     reverse.pair = reverse_of[portal.pair];
   }
   return all;

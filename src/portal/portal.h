@@ -1,5 +1,5 @@
 /// \file
-/// A portal: a one-sided convex planar polygon, and the motion that leads through it.
+/// A portal: a one-sided planar face, and the motion that leads through it.
 /// Dunigan & Pianta, sec. 4; the map is equations.md, sec. 4.
 #pragma once
 
@@ -10,16 +10,19 @@
 #include <vector>
 
 #include "math/rigid.h"
+#include "portal/aperture.h"
 
 namespace portalens {
 
 struct Portal {
   std::string name;
-  std::vector<Vec3d> vertices;  ///< counter-clockwise seen from the front
-  Frame frame;                  ///< right along the first edge, normal towards the front
-  double longest_edge = 0.0;
-  std::uint32_t pair = 0;  ///< index of the other member
-  Rigid through;           ///< from this front to the pair's: T_A
+  /// Counter-clockwise seen from the front: its corners, or those of a polygon around a curved rim.
+  std::vector<Vec3d> vertices;
+  Frame frame;                ///< right along a polygon's first edge, normal towards the front
+  Aperture aperture;          ///< the same in coordinates of the frame
+  double longest_edge = 0.0;  ///< or the diameter of what is curved
+  std::uint32_t pair = 0;     ///< index of the other member
+  Rigid through;              ///< from this front to the pair's: T_A
   Rgb tint{1, 1, 1};
   std::optional<std::uint32_t> back_material;  ///< none: no surface meets light from behind
   /// What meets its back leaves the back of its pair, by the same motion. Else, without a material,
@@ -32,6 +35,18 @@ struct Portal {
   /// Heights within this of the plane count as 0, and a point at height 0 is in front.
   [[nodiscard]] double height_tolerance() const { return 1e-9 * longest_edge; }
 };
+
+/// The input of a polygon's face, with its frame.
+/// @pre as `polygon_frame`
+[[nodiscard]] FaceInput polygon_input(std::vector<Vec3d> vertices);
+
+/// Gives a portal its face: vertices, frame, aperture and longest edge.
+/// @pre an aperture takes the input
+void give_face(Portal& portal, const FaceInput& input);
+
+/// A portal's aperture where its face is carried elsewhere, or turned over.
+[[nodiscard]] Aperture aperture_at(const Portal& portal, const std::vector<Vec3d>& vertices,
+                                   const Frame& frame);
 
 /// The frame of a planar polygon: origin in the mean of the vertices, `right` along the first edge,
 /// `normal` by Newell's method.

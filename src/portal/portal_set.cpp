@@ -7,19 +7,10 @@
 namespace portalens {
 namespace {
 
-/// How far inside the polygon's edges the local point is; negative outside.
-double margin(const Portal& portal, Vec3d local) {
-  double least = std::numeric_limits<double>::infinity();
-  const std::size_t count = portal.vertices.size();
-  Vec3d from = portal.frame.to_local(portal.vertices[count - 1]);
-  for (std::size_t i = 0; i < count; ++i) {
-    const Vec3d to = portal.frame.to_local(portal.vertices[i]);
-    const double dx = to.x - from.x, dy = to.y - from.y;
-    const double side = dx * (local.y - from.y) - dy * (local.x - from.x);
-    least = std::min(least, side / std::sqrt(dx * dx + dy * dy));
-    from = to;
-  }
-  return least;
+/// Whether a place of its plane lies within a portal; within rounding of its rim, too.
+bool holds(const Portal& portal, Vec3d place) {
+  const Vec3d local = portal.frame.to_local(place);
+  return within(portal.aperture, local.x, local.y, 1e-12 * portal.longest_edge);
 }
 
 double box_distance(const Box& box, const Segment& segment) {
@@ -66,8 +57,7 @@ std::optional<PortalSide> PortalSet::met_at(std::uint32_t index, const Ray& ray,
   const Portal& portal = portals_[index];
   const double slope = dot(ray.direction, portal.frame.normal);
   if (slope == 0.0 || (slope > 0.0 && !portal.has_back())) return std::nullopt;
-  if (margin(portal, portal.frame.to_local(place)) < -1e-12 * portal.longest_edge)
-    return std::nullopt;
+  if (!holds(portal, place)) return std::nullopt;
   return slope < 0.0 ? PortalSide::front : PortalSide::back;
 }
 
@@ -94,8 +84,7 @@ std::optional<double> PortalSet::contact_near(std::uint32_t index, const Ray& ra
   if (slope == 0.0) return std::nullopt;
   const double distance = -height / slope;
   if (!(std::fabs(distance) <= reach)) return std::nullopt;
-  if (margin(portal, portal.frame.to_local(ray.at(distance))) < -1e-12 * portal.longest_edge)
-    return std::nullopt;
+  if (!holds(portal, ray.at(distance))) return std::nullopt;
   return distance;
 }
 
@@ -115,8 +104,7 @@ std::optional<PortalContact> PortalSet::nearest(const Ray& ray, double low, doub
         distance <= left.reach)
       continue;
     if (!(distance >= low && distance <= high) || (best && distance >= best->distance)) continue;
-    if (margin(portal, portal.frame.to_local(ray.at(distance))) < -1e-12 * portal.longest_edge)
-      continue;
+    if (!holds(portal, ray.at(distance))) continue;
     best = PortalContact{i, slope < 0.0 ? PortalSide::front : PortalSide::back, distance};
   }
   return best ? std::optional(uppermost(*best, ray)) : std::nullopt;

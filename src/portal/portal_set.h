@@ -61,7 +61,7 @@ class PortalSet {
   /// False only if no portal lies within `radius` of the segment.
   [[nodiscard]] bool near(const Segment& segment, double radius) const;
   /// Contact of the ray's line with the portal's plane nearest to distance 0, if within its
-  /// polygon.
+  /// face.
   [[nodiscard]] std::optional<double> contact_near(std::uint32_t portal, const Ray& ray,
                                                    double reach) const;
 

@@ -76,8 +76,7 @@ void PortalReader::read(Parameters& parameters, const std::string& name, Materia
       parameters.fault("vertices", in_quotes(name) + ": " + fault->problem, fault->remedy);
     } else {
       read.sound = true;
-      portal.frame = polygon_frame(portal.vertices);
-      portal.longest_edge = longest_edge(portal.vertices);
+      give_face(portal, polygon_input(portal.vertices));
     }
   }
   (void)read_mass(parameters, name, MassKey::optional, mean(portal.vertices), physics, masses);

@@ -27,11 +27,7 @@ struct PortalScene {
 
 inline Portal portal_on(const std::vector<Vec3d>& vertices) {
   Portal portal;
-  portal.vertices = vertices;
-  portal.frame = polygon_frame(vertices);
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-    portal.longest_edge =
-        std::max(portal.longest_edge, length(vertices[(i + 1) % vertices.size()] - vertices[i]));
+  give_face(portal, polygon_input(vertices));
   return portal;
 }
 

@@ -313,13 +313,12 @@ class RoomBuilder {
       thing.pair = i == first ? first + 1 : first;
       const Hung& hung = hang(room_.walls[pick(6)], place(half_width, half_height), thing);
       Portal& portal = room_.portals[i];
-      portal.vertices = hung.vertices;
-      if (hung.faces_out) std::reverse(portal.vertices.begin(), portal.vertices.end());
+      std::vector<Vec3d> corners = hung.vertices;
+      if (hung.faces_out) std::reverse(corners.begin(), corners.end());
       // A rectangle keeps its size that way, but its first edge must be one of the same length.
       portal.two_sided = two_sided;
       portal.pair = thing.pair;
-      portal.frame = polygon_frame(portal.vertices);
-      portal.longest_edge = 2.0 * room_.size * std::fmax(half_width, half_height);
+      give_face(portal, polygon_input(std::move(corners)));
     }
     for (std::uint32_t i = first; i < first + 2; ++i)
       room_.portals[i].through =

@@ -53,17 +53,9 @@ inline Arrival advance_one(const PlannedSpace& space, const Photon& photon) {
 /// Two portals that are each other's pair, from their polygons.
 inline std::vector<Portal> portal_pair(const std::vector<Vec3d>& a, const std::vector<Vec3d>& b) {
   std::vector<Portal> portals(2);
-  portals[0].vertices = a;
-  portals[1].vertices = b;
-  for (int i = 0; i < 2; ++i) {
-    Portal& portal = portals[i];
-    portal.pair = 1 - i;
-    portal.frame = polygon_frame(portal.vertices);
-    for (std::size_t k = 0; k < portal.vertices.size(); ++k)
-      portal.longest_edge =
-          std::fmax(portal.longest_edge,
-                    length(portal.vertices[(k + 1) % portal.vertices.size()] - portal.vertices[k]));
-  }
+  give_face(portals[0], polygon_input(a));
+  give_face(portals[1], polygon_input(b));
+  for (std::uint32_t i = 0; i < 2; ++i) portals[i].pair = 1 - i;
   for (int i = 0; i < 2; ++i)
     portals[i].through = motion_through(portals[i].frame, portals[1 - i].frame);
   return portals;
