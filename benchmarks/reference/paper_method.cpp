@@ -159,7 +159,7 @@ Arrival PaperMethod::advance(const Photon& photon) const {
       break;
     }
     for (std::uint32_t i = 0; i < space_.masses.size(); ++i) {
-      if (length(space_.masses[i].center - x) <= space_.masses[i].schwarzschild) {
+      if (length(space_.masses[i].center - x) <= space_.masses[i].horizon_radius) {
         arrival.fate = Fate::absorbed;
         arrival.met = Met::mass;
         arrival.object = i;

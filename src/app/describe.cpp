@@ -45,7 +45,7 @@ Json masses_json(const Space& space) {
     masses.push_back({{"name", mass.name},
                       {"mass", mass.gm / space.physics.G},
                       {"center", to_json(mass.center)},
-                      {"schwarzschild_radius", mass.schwarzschild},
+                      {"schwarzschild_radius", schwarzschild_radius(mass.gm, space.physics.c)},
                       {"influence_radius", finite_or_null(mass.influence)},
                       {"core_radius", mass.core},
                       {"horizon", mass.horizon}});
@@ -143,7 +143,7 @@ std::string kinds_text(const std::vector<Body>& bodies) {
 std::string mass_text(const Mass& mass, double G) {
   std::string text =
       fmt::format("  {}: M = {:.6g} at {}, r_s = {:.6g}, R = {:.6g}", mass.name, mass.gm / G,
-                  place(mass.center), mass.schwarzschild, mass.influence);
+                  place(mass.center), mass.horizon_radius, mass.influence);
   if (mass.core > 0.0) text += fmt::format(", core {:.6g}", mass.core);
   return text + (mass.horizon ? "\n" : ", no horizon\n");
 }

@@ -218,7 +218,7 @@ class FieldArtist {
       const double influence2 = mass.influence * mass.influence - height * height;
       if (std::isfinite(influence2) && influence2 > 0.0)
         circle(center, std::sqrt(influence2) * scale_, dark);
-      add(Disc{center, std::max(4.0, mass.schwarzschild * scale_), black, {}, "mass"});
+      add(Disc{center, std::max(4.0, mass.horizon_radius * scale_), black, {}, "mass"});
       label({center.x + 8.0, center.y - 8.0}, mass.name, Anchor::start);
     }
   }

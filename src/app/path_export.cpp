@@ -78,7 +78,7 @@ PathPicture PathExport::release() && {
     picture_.flats.push_back(
         {portals[i].name, portals[i].vertices, i <= portals[i].pair ? blue : orange});
   for (const Mass& mass : world_.space.masses) {
-    const double radius = mass.horizon ? mass.schwarzschild : mass.core;
+    const double radius = mass.horizon ? mass.horizon_radius : mass.core;
     if (radius > 0.0) picture_.balls.push_back({mass.name, mass.center, radius, black});
   }
   return std::move(picture_);

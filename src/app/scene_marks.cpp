@@ -97,16 +97,16 @@ void add_portals(const World& world, Sheet& sheet) {
 
 void add_masses(const World& world, Sheet& sheet) {
   for (const Mass& mass : world.space.masses) {
-    const bool black = mass.horizon && mass.schwarzschild > 0.0;
+    const bool black = mass.horizon && mass.horizon_radius > 0.0;
     if (black) {
-      const auto edge = sheet.view().silhouette(mass.center, mass.schwarzschild);
+      const auto edge = sheet.view().silhouette(mass.center, mass.horizon_radius);
       sheet.add_area(edge, {0, 0, 0}, "horizon");
     }
     const auto at = sheet.view().project(mass.center);
     if (!at) continue;
     const double least = 2.0 * sheet.unit();
     const double radius =
-        black ? mass.schwarzschild * sheet.view().pixels_per_length(mass.center) : 0.0;
+        black ? mass.horizon_radius * sheet.view().pixels_per_length(mass.center) : 0.0;
     if (radius < least) sheet.add(Disc{*at, least, {0, 0, 0}, {}, "mass"});
     const Point beside = *at + Point{0, std::min(radius, 0.25 * sheet.view().height())};
     if (world.space.masses.size() <= max_names)

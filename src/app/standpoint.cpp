@@ -34,7 +34,7 @@ Box core_box(const World& world, const std::vector<DrawnPath>& paths) {
   for (const Portal& portal : world.space.portals.portals())
     for (const Vec3d& vertex : portal.vertices) add(vertex);
   for (const Mass& mass : world.space.masses) {
-    const double radius = mass.horizon ? mass.schwarzschild : 0.0;
+    const double radius = mass.horizon ? mass.horizon_radius : 0.0;
     const Vec3d reach{radius, radius, radius};
     add(mass.center - reach);
     add(mass.center + reach);

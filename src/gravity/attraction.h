@@ -1,6 +1,10 @@
 /// \file
-/// The pull of one mass. Dunigan & Pianta, sec. 5, with Plummer's core.
+/// The pull of one mass, and what steps are chosen by, for `double` and for packs of lanes. Dunigan
+/// & Pianta, sec. 5, with Plummer's core.
 #pragma once
+
+#include <algorithm>
+#include <cmath>
 
 #include "math/multiply_add.h"
 
@@ -41,5 +45,62 @@ template <class Real>
 
 /// Stands for `path_weight` where a mass acts through a portal: light can't come near it.
 inline constexpr double distant_weight = 0.3;
+
+template <class Real>
+struct InversePowers {
+  Real first, second;  ///< 1/d and 1/d²
+};
+
+/// @param q  d²
+[[nodiscard]] inline InversePowers<double> inverse_powers(double q) {
+  const double second = 1.0 / q;
+  return {std::sqrt(second), second};
+}
+template <class Real>
+[[nodiscard]] InversePowers<Real> inverse_powers(Real q) {
+  const Real first = inverse_sqrt(q);
+  return {first, first * first};
+}
+
+/// Of one mass, at the distance d, with its core.
+template <class Real>
+struct MassPull {
+  Real inverse, inverse2, pull;  ///< 1/d, 1/d² and m/d³
+
+  /// @param q  d²
+  /// @param m  G M / c²
+  [[nodiscard]] static MassPull of(Real q, Real m) {
+    const InversePowers<Real> powers = inverse_powers(q);
+    return {powers.first, powers.second, m * powers.second * powers.first};
+  }
+};
+
+/// What bends light at a place, and the sums from which a step is chosen and judged. Under a law
+/// whose weight is h, each m counts h times.
+template <class Real>
+struct BendingOf {
+  Vec3<Real> acceleration{};  ///< 1/length: dt/ds before its part along t is removed
+  Real stiffness{};           ///< Σ w m / d⁵ with w = path_weight, 1/length⁴
+  Real nearness{};            ///< Σ v / d⁴ with v = approach_weight, 1/length⁴
+  Real gradient{};            ///< Σ 2 m / d³, of the acceleration, 1/length²
+};
+using Bending = BendingOf<double>;
+
+/// Adds what a mass does to a path: nothing where `m` is 0.
+/// @param q      d² of the path to it, with its core; `along` that way's part along the path of
+/// light
+/// @param m, m2  G M / c², and its square where m is not 0
+template <class Real>
+void add_bending(BendingOf<Real>& sum, Vec3<Real> to_mass, Real q, Real along, Real m, Real m2) {
+  using std::max;
+  const Real b2 = max(subtract_product(q, along, along), Real(0));
+  const MassPull<Real> pull = MassPull<Real>::of(q, m);
+  sum.acceleration = multiply_add(to_mass, pull.pull, sum.acceleration);
+  sum.stiffness = multiply_add(pull.pull * pull.inverse2, path_weight(m2, b2), sum.stiffness);
+  const Real nearness = multiply_add(pull.inverse2 * pull.inverse2,
+                                     approach_weight(along * pull.inverse), sum.nearness);
+  sum.nearness = select(m > Real(0), nearness, sum.nearness);
+  sum.gradient = multiply_add(Real(2), pull.pull, sum.gradient);
+}
 
 }  // namespace portalens

@@ -27,7 +27,7 @@ double felt_from(const Portal& exit, const Mass& mass) {
 }
 
 std::vector<BoundLight> bound_light(std::string_view coupling, std::span<const Portal> portals,
-                                    std::span<const Mass> masses, double c) {
+                                    std::span<const Mass> masses, double c, double light_sphere) {
   const bool along_ways = coupling == ShortestPathCoupling::name;
   std::vector<BoundLight> found;
   if (!along_ways && coupling != ClosestPointCoupling::name &&
@@ -40,12 +40,12 @@ std::vector<BoundLight> bound_light(std::string_view coupling, std::span<const P
       if (!binds(masses[i],
                  length(masses[i].center - exit.frame.origin) -
                      static_cast<double>(exit.vertices.size()) * exit.longest_edge,
-                 c))
+                 c, light_sphere))
         continue;
       double distance = felt_from(exit, masses[i]);
-      if (along_ways && binds(masses[i], distance, c))
+      if (along_ways && binds(masses[i], distance, c, light_sphere))
         distance = std::max(distance, felt_on_the_way(exit, masses[i]));
-      if (binds(masses[i], distance, c)) found.push_back({i, a, distance});
+      if (binds(masses[i], distance, c, light_sphere)) found.push_back({i, a, distance});
     }
   return found;
 }

@@ -23,16 +23,18 @@ struct BoundLight {
 /// distance from the polygon `exit`, with its core as if that lay across.
 [[nodiscard]] double felt_from(const Portal& exit, const Mass& mass);
 
-/// Whether light that feels a mass from there winds ever closer to it: nearer than m = G M / c².
-/// Around a point n r sin(angle) is least at m.
-[[nodiscard]] inline bool binds(const Mass& mass, double distance, double c) {
-  return mass.gm > 0.0 && distance < gravitational_radius(mass.gm, c);
+/// Whether light that feels a mass from there winds ever closer to it: nearer than the law's
+/// `light_sphere` (m = G M / c² under the paper's). Around a point n r sin(angle) is least there.
+/// @param light_sphere  in m
+[[nodiscard]] inline bool binds(const Mass& mass, double distance, double c, double light_sphere) {
+  return mass.gm > 0.0 && distance < light_sphere * gravitational_radius(mass.gm, c);
 }
 
 /// The masses that bind light through a portal, with a coupling that lets each mass act through
 /// each (`closest-point`, `graviton-map`, `shortest-path`); none with others. By mass, then portal.
 [[nodiscard]] std::vector<BoundLight> bound_light(std::string_view coupling,
                                                   std::span<const Portal> portals,
-                                                  std::span<const Mass> masses, double c);
+                                                  std::span<const Mass> masses, double c,
+                                                  double light_sphere);
 
 }  // namespace portalens

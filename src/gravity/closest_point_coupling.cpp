@@ -98,6 +98,7 @@ Pull ClosestPointCoupling::direct(Vec3d x, Vec3d anchor) const {
     total.stiffness += source.gm * inverse2 * inverse2 * std::sqrt(inverse2);
     total.nearness += inverse2 * inverse2;
     total.gradient += 2.0 * source.gm * inverse2 * std::sqrt(inverse2);
+    total.potential += source.gm * std::sqrt(inverse2);
   }
   return total;
 }

@@ -37,18 +37,21 @@ inline constexpr CouplingCost coupling_budget{2e5, 1e8};
 
 /// An acceleration, and how sharply it varies, from which the step is chosen: the sums over its
 /// sources of G M / d⁵ and of 1 / d⁴ (d with the core; any other length over which the field varies
-/// counts as a d), and of 2 G M / d³ of what changes as the photon is displaced.
+/// counts as a d), and of 2 G M / d³ of what changes as the photon is displaced. Of the sum of G M
+/// / d follows how much a law lets all of it count.
 struct Pull {
   Vec3d acceleration;
   double stiffness = 0.0;
   double nearness = 0.0;
   double gradient = 0.0;
+  double potential = 0.0;  ///< Σ G M / d
 
   Pull& operator+=(const Pull& other) {
     acceleration += other.acceleration;
     stiffness += other.stiffness;
     nearness += other.nearness;
     gradient += other.gradient;
+    potential += other.potential;
     return *this;
   }
 };

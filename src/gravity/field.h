@@ -11,6 +11,7 @@
 #include "geometry/ray.h"
 #include "gravity/attraction.h"
 #include "gravity/coupling.h"
+#include "gravity/law.h"
 #include "gravity/mass.h"
 #include "gravity/mass_tree.h"
 
@@ -26,22 +27,15 @@ struct Surroundings {
   [[nodiscard]] bool silent() const { return inside.empty() && distance_to_support > 0.0; }
 };
 
-/// g / c² at a point, and the sums from which a step is chosen and judged.
-struct Bending {
-  Vec3d acceleration;      ///< 1/length: dt/ds before its part along t is removed
-  double stiffness = 0.0;  ///< Σ w m / d⁵ with w = path_weight, 1/length⁴
-  double nearness = 0.0;   ///< Σ v / d⁴ with v = approach_weight, 1/length⁴
-  double gradient = 0.0;   ///< Σ 2 m / d³, of the acceleration, 1/length²
-};
-
 /// Field of one scene with one coupling. Borrows the masses, their tree and the coupling.
-template <class C>
+/// @tparam W  the `Weighing` of the law
+template <class C, class W>
 class Field {
  public:
-  Field(std::span<const Mass> masses, const MassTree& tree, const C& coupling, double c)
-      : masses_(masses), tree_(tree), coupling_(coupling), inverse_c2_(1.0 / (c * c)) {}
-
-  [[nodiscard]] double inverse_c2() const { return inverse_c2_; }
+  /// @param weight  the law's `uniform_weight`
+  Field(std::span<const Mass> masses, const MassTree& tree, const C& coupling, double c,
+        double weight)
+      : masses_(masses), tree_(tree), coupling_(coupling), per_gm_(weight / (c * c)) {}
 
   /// @param near  the masses that may act there, ascending
   void surround(Vec3d anchor, std::span<const std::uint32_t> near, Surroundings& out) const {
@@ -63,28 +57,30 @@ class Field {
   /// @param t  direction of the path, a unit vector: steps depend on it, the acceleration doesn't
   /// @pre x is not exactly at a mass without a core
   [[nodiscard]] Bending bending(Vec3d x, Vec3d t, const Surroundings& frozen) const {
-    Bending sum;
-    for (std::uint32_t i : frozen.inside) {
-      const Mass& mass = masses_[i];
-      const Vec3d to_mass = mass.center - x;
-      const double q = dot(to_mass, to_mass) + mass.core * mass.core;
-      const double inverse2 = 1.0 / q;
-      const double inverse = std::sqrt(inverse2);
-      const double pull = mass.gm * inverse_c2_ * inverse2 * inverse;
-      sum.acceleration += to_mass * pull;
-      const double along = dot(to_mass, t), m = mass.gm * inverse_c2_;
-      sum.stiffness += pull * inverse2 * path_weight(m * m, q - along * along);
-      sum.nearness += inverse2 * inverse2 * approach_weight(along * inverse);
-      sum.gradient += 2.0 * pull;
+    if constexpr (W::uniform) {
+      Bending sum = direct(x, t, frozen, 1.0);
+      if (frozen.distance_to_support == 0.0) add(coupling_.pull(x, frozen.anchor), 1.0, sum);
+      return sum;
+    } else {
+      const bool looks_through = frozen.distance_to_support == 0.0;
+      const Pull through = looks_through ? coupling_.pull(x, frozen.anchor) : Pull{};
+      const double w = potential(x, frozen, through), weight = W::weight(w);
+      Bending sum = direct(x, t, frozen, weight);
+      if (looks_through) add(through, weight, sum);
+      // The weight changes, too: ∇h = h' ∇w.
+      const double square = dot(sum.acceleration, sum.acceleration) / (weight * weight);
+      sum.gradient += std::fabs(W::weight_slope(w)) * square;
+      return sum;
     }
-    if (frozen.distance_to_support == 0.0) {
-      const Pull through = coupling_.pull(x, frozen.anchor);
-      sum.acceleration += through.acceleration * inverse_c2_;
-      sum.stiffness += through.stiffness * inverse_c2_ * distant_weight;
-      sum.nearness += through.nearness;
-      sum.gradient += through.gradient * inverse_c2_;
-    }
-    return sum;
+  }
+
+  /// What comes through portals is of the acceleration of `bending`.
+  [[nodiscard]] Vec3d through_portals(Vec3d x, const Surroundings& frozen) const {
+    if (frozen.distance_to_support != 0.0) return {};
+    const Pull through = coupling_.pull(x, frozen.anchor);
+    double weight = per_gm_;
+    if constexpr (!W::uniform) weight *= W::weight(potential(x, frozen, through));
+    return through.acceleration * weight;
   }
 
   [[nodiscard]] std::uint64_t signature(Vec3d x) const { return coupling_.signature(x); }
@@ -111,16 +107,40 @@ class Field {
     return least;
   }
 
-  [[nodiscard]] static bool within(const Mass& mass, Vec3d x) {
-    const Vec3d to = mass.center - x;
-    return dot(to, to) < mass.influence * mass.influence;
-  }
+  [[nodiscard]] static bool within(const Mass& mass, Vec3d x) { return mass.reaches(x); }
 
  private:
+  /// w, of which a law's weight follows.
+  [[nodiscard]] double potential(Vec3d x, const Surroundings& frozen, const Pull& through) const {
+    double w = through.potential * per_gm_;
+    for (const std::uint32_t i : frozen.inside) w += masses_[i].potential(x) * per_gm_;
+    return w;
+  }
+
+  [[nodiscard]] Bending direct(Vec3d x, Vec3d t, const Surroundings& frozen, double weight) const {
+    Bending sum;
+    for (const std::uint32_t i : frozen.inside) {
+      const Mass& mass = masses_[i];
+      const Vec3d to_mass = mass.center - x;
+      const double q = dot(to_mass, to_mass) + mass.core * mass.core;
+      const double m = mass.gm * per_gm_ * weight;
+      add_bending(sum, to_mass, q, dot(to_mass, t), m, m * m);
+    }
+    return sum;
+  }
+
+  void add(const Pull& through, double weight, Bending& sum) const {
+    const double per_gm = per_gm_ * weight;
+    sum.acceleration += through.acceleration * per_gm;
+    sum.stiffness += through.stiffness * per_gm * distant_weight;
+    sum.nearness += through.nearness;
+    sum.gradient += through.gradient * per_gm;
+  }
+
   std::span<const Mass> masses_;
   const MassTree& tree_;
   const C& coupling_;
-  double inverse_c2_;
+  double per_gm_;  ///< 1/c², times the weight of a uniform law
 };
 
 }  // namespace portalens

@@ -110,9 +110,11 @@ Pull GravitonGrid::interpolate(Cell cell, Vec3d place) const {
   const double u = (place.x - low_x_) / spacing_x_ - cell.i;
   const double v = (place.y - low_y_) / spacing_y_ - cell.j;
   const auto [i, j] = cell;
-  return {bilinear(node(i, j).acceleration, node(i + 1, j).acceleration,
-                   node(i, j + 1).acceleration, node(i + 1, j + 1).acceleration, u, v),
-          stiffness(cell), nearness(cell), gradient(cell)};
+  const Pull &low = node(i, j), &right = node(i + 1, j), &up = node(i, j + 1),
+             &high = node(i + 1, j + 1);
+  return {bilinear(low.acceleration, right.acceleration, up.acceleration, high.acceleration, u, v),
+          stiffness(cell), nearness(cell), gradient(cell),
+          bilinear(low.potential, right.potential, up.potential, high.potential, u, v)};
 }
 
 double GravitonGrid::stiffness(Cell cell) const {

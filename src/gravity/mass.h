@@ -32,11 +32,22 @@ struct Mass {
   Vec3d center;
   double gm = 0.0;      ///< G M
   double core = 0.0;    ///< Plummer's core radius a
-  bool horizon = true;  ///< a photon within `schwarzschild` of the centre is absorbed
-  double schwarzschild = 0.0;
+  bool horizon = true;  ///< a photon within `horizon_radius` of the centre is absorbed
+  /// Where light ends: r_s under the paper's law (`set_horizons` for others).
+  double horizon_radius = 0.0;
   double influence = 0.0;  ///< R; infinite if the threshold is 0
 
   [[nodiscard]] bool has_horizon() const { return horizon && gm > 0.0; }
+  /// Whether it acts there.
+  [[nodiscard]] bool reaches(Vec3d x) const {
+    const Vec3d to = center - x;
+    return dot(to, to) < influence * influence;
+  }
+  /// G M / √(d² + a²)
+  [[nodiscard]] double potential(Vec3d x) const {
+    const Vec3d to = center - x;
+    return gm / std::sqrt(dot(to, to) + core * core);
+  }
 };
 
 }  // namespace portalens

@@ -23,10 +23,10 @@ MassTree::MassTree(std::span<const Mass> masses) : every_(masses.size()) {
   for (const std::uint32_t i : every_) {
     const Mass& mass = masses[i];
     // A little more than that far: distances are rounded elsewhere, too.
-    const double reach = std::fmax(mass.influence, mass.schwarzschild) * (1.0 + 1e-9);
+    const double reach = std::fmax(mass.influence, mass.horizon_radius) * (1.0 + 1e-9);
     spheres_.push_back({mass.center, mass.influence, reach});
     if (std::isfinite(mass.influence)) sum += mass.influence;
-    if (mass.has_horizon() && mass.schwarzschild >= mass.influence) bare_horizons_.push_back(i);
+    if (mass.has_horizon() && mass.horizon_radius >= mass.influence) bare_horizons_.push_back(i);
     const double extent =
         reach + std::fmax(std::fabs(mass.center.x),
                           std::fmax(std::fabs(mass.center.y), std::fabs(mass.center.z)));

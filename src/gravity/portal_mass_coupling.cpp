@@ -48,6 +48,7 @@ Pull PortalMassCoupling::pull(Vec3d x, Vec3d anchor) const {
     total.stiffness += image.gm * inverse2 * inverse2 * std::sqrt(inverse2);
     total.nearness += inverse2 * inverse2;
     total.gradient += 2.0 * image.gm * inverse2 * std::sqrt(inverse2);
+    total.potential += image.gm * std::sqrt(inverse2);
   }
   return total;
 }

@@ -166,6 +166,7 @@ Pull ShortestPathCoupling::pull(Vec3d x, Vec3d anchor) const {
     if (acceleration == Vec3d{}) continue;
     total.acceleration += acceleration;
     const double square = way.length * way.length + image.core2, inverse2 = 1.0 / square;
+    total.potential += image.gm * std::sqrt(inverse2);
     const Vec3d ahead = way.towards - x;
     const double scale_inverse2 = 1.0 / way_scale2(way.straight, square, dot(ahead, ahead));
     total.stiffness += image.gm * inverse2 * scale_inverse2 * std::sqrt(scale_inverse2);

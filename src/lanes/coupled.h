@@ -10,7 +10,7 @@ namespace portalens {
 /// `acceleration`, `find_changes`, `too_near`, `sees_borders_far_off`, `foresees_planes`, and
 ///   void decide(Vec3<R> anchor);
 ///   Mask acting() const;
-///   void add_to(LaneBending<R>& sum, Vec3<R> x, Vec3<R> t) const;
+///   void add_to(BendingOf<R>& sum, Vec3<R> x, Vec3<R> t) const;
 ///   LaneBorder<R> boundary(Vec3<R> x, Vec3<R> t, Vec3<R> bend, Mask acting, R limit) const;
 /// where `acting` is where anything acts.
 template <class R, class Through>
@@ -27,8 +27,8 @@ struct LaneCoupled {
     through.decide(multiply_add(t, R(direct.scene.ahead), x));
     acting = direct.acting | through.acting();
   }
-  [[nodiscard]] LaneBending<R> bending(Vec3<R> x, Vec3<R> t) const {
-    LaneBending<R> sum = direct.bending(x, t);
+  [[nodiscard]] BendingOf<R> bending(Vec3<R> x, Vec3<R> t) const {
+    BendingOf<R> sum = direct.bending(x, t);
     through.add_to(sum, x, t);
     return sum;
   }

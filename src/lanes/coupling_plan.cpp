@@ -16,6 +16,11 @@
 namespace portalens {
 namespace {
 
+/// Nearer to a mass of that G M, or an image of one, light winds in.
+double light_sphere(const Space& space, double gm) {
+  return space.medium.light_sphere * gravitational_radius(gm, space.physics.c);
+}
+
 /// Light is left to the scalar engine nearer than this many m to a mass that it is bound by through
 /// a portal. Within e m it winds in; the field of a point of a face may change much faster than the
 /// steps of lanes expect.
@@ -115,7 +120,7 @@ class GatePlanner {
       const Mass& mass = space_.masses[masses_[i]];
       gate.fades[i] = ends_on(portal, frame.to_world(image), mass.influence);
       scene_.fading = scene_.fading || gate.fades[i];
-      const double m = gravitational_radius(mass.gm, space_.physics.c);
+      const double m = light_sphere(space_, mass.gm);
       const bool binds_light = felt_from(space_.mouths[portal.pair], mass) < m;
       gate.bare2[i] = binds_light ? static_cast<float>(too_near * too_near * m * m) : 0.0f;
       scene_.bare_through = scene_.bare_through || binds_light;
@@ -190,10 +195,10 @@ void add_nodes(const GravitonGrid& grid, double inverse_c2, LanePlan& plan) {
 /// Of the cells of a portal's map: `LaneMap::max_nearness`.
 float max_nearness(const Space& space, std::uint32_t portal) {
   double most = 1e30;  // no cell's
-  for (const BoundLight& light :
-       bound_light(GravitonMapCoupling::name, space.mouths, space.masses, space.physics.c)) {
+  for (const BoundLight& light : bound_light(GravitonMapCoupling::name, space.mouths, space.masses,
+                                             space.physics.c, space.medium.light_sphere)) {
     if (light.portal != portal) continue;
-    const double m = gravitational_radius(space.masses[light.mass].gm, space.physics.c);
+    const double m = light_sphere(space, space.masses[light.mass].gm);
     most = std::min(most, std::pow(too_near * m, -4.0));
   }
   return static_cast<float>(most);
@@ -202,7 +207,7 @@ float max_nearness(const Space& space, std::uint32_t portal) {
 [[nodiscard]] std::string add_maps(const Space& space, const GravitonMapCoupling& coupling,
                                    LanePlan& plan) {
   const std::vector<Portal>& portals = space.mouths;
-  const double inverse_c2 = 1.0 / (space.physics.c * space.physics.c);
+  const double inverse_c2 = space.medium.uniform_weight() / (space.physics.c * space.physics.c);
   std::vector<std::size_t> first;
   for (std::uint32_t a = 0; a < portals.size(); ++a) {
     const double reach = coupling.exact().reach(a);
@@ -239,7 +244,7 @@ float max_nearness(const Space& space, std::uint32_t portal) {
 float bare2_of_way(const Space& space, const ShortestPathCoupling::Image& image,
                    const Portal& portal, LaneScene& scene) {
   const Mass& mass = space.masses[image.mass];
-  const double m = gravitational_radius(image.gm, space.physics.c);
+  const double m = light_sphere(space, image.gm);
   if (!(felt_from(space.mouths[portal.pair], mass) < m)) return 0.0f;
   scene.bare_through = true;
   return static_cast<float>(too_near * too_near * m * m);
@@ -273,7 +278,8 @@ float bare2_of_way(const Space& space, const ShortestPathCoupling::Image& image,
     const auto off = [&](double aside) { return static_cast<float>(std::hypot(aside, local.z)); };
     scene.ways[scene.way_count++] = {
         narrow(local),
-        static_cast<float>(gravitational_radius(image.gm, space.physics.c)),
+        static_cast<float>(space.medium.uniform_weight() *
+                           gravitational_radius(image.gm, space.physics.c)),
         static_cast<float>(image.core2),
         static_cast<float>(image.influence),
         bare2_of_way(space, image, portal, scene),
@@ -303,7 +309,8 @@ void add_masses_of_portals(const Space& space, Vec3d center, std::vector<LaneMas
   const auto* coupling = std::get_if<PortalMassCoupling>(&space.coupling);
   if (!coupling) return;
   for (const PortalMassCoupling::Image& image : coupling->images()) {
-    const auto gm = static_cast<float>(gravitational_radius(image.gm, space.physics.c));
+    const auto gm = static_cast<float>(space.medium.uniform_weight() *
+                                       gravitational_radius(image.gm, space.physics.c));
     const auto core2 = static_cast<float>(image.core2);
     const auto influence = static_cast<float>(image.influence);
     masses.push_back({narrow(image.center - center), gm, core2, influence, influence * influence,

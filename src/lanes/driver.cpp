@@ -18,17 +18,17 @@ namespace portalens {
 namespace {
 
 /// Keeps the lanes full until no photon is left.
-template <class C>
+template <class C, class W>
 class LaneDriver {
  public:
-  LaneDriver(const Space& space, const LanePlan& plan, LaneStep step, const C& coupling,
+  LaneDriver(const Space& space, const LanePlan& plan, LaneStep step, const C& coupling, W weighing,
              std::span<const Photon> photons, std::span<Arrival> arrivals,
              std::span<PathRecord> records)
       : space_(space),
         plan_(plan),
         step_(step),
         integrator_(Radau::from({space.physics.step, space.physics.tolerance})),
-        scalar_(space, integrator_, coupling),
+        scalar_(space, integrator_, coupling, weighing),
         vicinity_(space.mass_tree),
         obstacles_(space.surfaces, space.portals),
         has_flush_(space.surfaces.flush().any_shapes()),
@@ -166,7 +166,7 @@ class LaneDriver {
   /// about its start.
   [[nodiscard]] bool swallowed_at(Vec3d x) {
     vicinity_.cover(x, 0.0);
-    const auto mass = horizon_around(space_.masses, vicinity_.near(), x);
+    const auto mass = horizon_around(space_, vicinity_.near(), x);
     return mass && scalar_.absorb(*mass);
   }
 
@@ -293,7 +293,7 @@ class LaneDriver {
     if (begun_ && *begun_ == x) return true;
     if (!is_finite(x)) return false;
     vicinity_.cover(x, 0.0);
-    if (horizon_around(space_.masses, vicinity_.near(), x)) return false;
+    if (horizon_around(space_, vicinity_.near(), x)) return false;
     begun_ = x;
     return true;
   }
@@ -302,7 +302,7 @@ class LaneDriver {
   const LanePlan& plan_;
   LaneStep step_;
   Radau integrator_;
-  Tracer<Radau, C> scalar_;
+  Tracer<Radau, C, W> scalar_;
   Vicinity vicinity_;  ///< of where photons begin, and where portals lead
   Obstacles obstacles_;
   bool has_flush_;  ///< some surface lies in the plane of something else
@@ -324,11 +324,13 @@ class LaneDriver {
 void advance_in_lanes(const Space& space, const LanePlan& plan, LaneStep step,
                       std::span<const Photon> photons, std::span<Arrival> arrivals,
                       std::span<PathRecord> records) {
-  std::visit(
-      [&](const auto& coupling) {
-        LaneDriver(space, plan, step, coupling, photons, arrivals, records).run();
-      },
-      space.coupling);
+  visit_weighing(space.law, [&](auto weighing) {
+    std::visit(
+        [&](const auto& coupling) {
+          LaneDriver(space, plan, step, coupling, weighing, photons, arrivals, records).run();
+        },
+        space.coupling);
+  });
 }
 
 }  // namespace portalens

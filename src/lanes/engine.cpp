@@ -16,6 +16,16 @@ Integrator integrator_of(const Physics& physics) {
   return *made;
 }
 
+/// Calls `f` with the scalar engine of a space.
+template <class F>
+void with_tracer(const Space& space, const F& f) {
+  visit_weighing(space.law, [&](auto weighing) {
+    std::visit([&](const auto& integrator,
+                   const auto& coupling) { f(Tracer(space, integrator, coupling, weighing)); },
+               integrator_of(space.physics), space.coupling);
+  });
+}
+
 }  // namespace
 
 bool takes_lanes(const PlannedSpace& space, Engine engine) {
@@ -36,13 +46,10 @@ void advance(const PlannedSpace& space, std::span<const Photon> photons,
     advance_in_lanes(space, *space.lanes, lane_engine().step, photons, arrivals);
     return;
   }
-  std::visit(
-      [&](const auto& integrator, const auto& coupling) {
-        Tracer tracer(space, integrator, coupling);
-        for (std::size_t i = 0; i < photons.size(); ++i)
-          arrivals[i] = tracer.advance(photons[i], nullptr);
-      },
-      integrator_of(space.physics), space.coupling);
+  with_tracer(space, [&](auto&& tracer) {
+    for (std::size_t i = 0; i < photons.size(); ++i)
+      arrivals[i] = tracer.advance(photons[i], nullptr);
+  });
 }
 
 void advance_with_records(const PlannedSpace& space, std::span<const Photon> photons,
@@ -54,11 +61,9 @@ void advance_with_records(const PlannedSpace& space, std::span<const Photon> pho
 }
 
 Arrival advance_recorded(const PlannedSpace& space, const Photon& photon, PathTrace& path_trace) {
-  return std::visit(
-      [&](const auto& integrator, const auto& coupling) {
-        return Tracer(space, integrator, coupling).advance(photon, &path_trace);
-      },
-      integrator_of(space.physics), space.coupling);
+  Arrival arrival;
+  with_tracer(space, [&](auto&& tracer) { arrival = tracer.advance(photon, &path_trace); });
+  return arrival;
 }
 
 }  // namespace portalens

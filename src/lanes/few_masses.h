@@ -46,8 +46,8 @@ struct LaneMasses {
   [[nodiscard]] R ahead(int mass) const { return along[mass]; }
 
   /// What a step of the direction `t` is chosen from, and its first acceleration.
-  [[nodiscard]] LaneBending<R> bending(Vec3<R> x, Vec3<R>) const {
-    LaneBending<R> sum{{R(0), R(0), R(0)}, R(0), R(0), R(0)};
+  [[nodiscard]] BendingOf<R> bending(Vec3<R> x, Vec3<R>) const {
+    BendingOf<R> sum{{R(0), R(0), R(0)}, R(0), R(0), R(0)};
     for (int i = 0; i < scene.mass_count; ++i) {
       const LaneMass& mass = scene.masses[i];
       add_bending(sum, mass, spread<R>(mass.center) - x, squares[i], along[i], inside[i]);

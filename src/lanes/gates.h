@@ -48,7 +48,7 @@ class LaneGates {
 
   /// What comes through the gates depends on where the points of their faces are, not on where
   /// the photon is: steps are the longer the slower those move.
-  void add_to(LaneBending<R>& sum, Vec3<R> x, Vec3<R> t) const {
+  void add_to(BendingOf<R>& sum, Vec3<R> x, Vec3<R> t) const {
     R speed_x[max_lane_gates], speed_y[max_lane_gates], slowness[max_lane_gates];
     for (int g = 0; g < scene_.gate_count; ++g) {
       const Vec3<R> way = way_of(g, t, speed_x, speed_y);
@@ -120,7 +120,7 @@ class LaneGates {
   static constexpr bool foresees_planes = true;
 
  private:
-  using Source = LanePull<R>;
+  using Source = MassPull<R>;
 
   /// Where on a straight path a mass begins or ceases to act through a gate, or a gate with a
   /// parent.

@@ -43,7 +43,7 @@ class LaneGravitonMap {
   }
   [[nodiscard]] Mask acting() const { return acting_; }
 
-  void add_to(LaneBending<R>& sum, Vec3<R> x, Vec3<R> t) const {
+  void add_to(BendingOf<R>& sum, Vec3<R> x, Vec3<R> t) const {
     R slowness[max_lane_portals];
     for (int k = 0; k < scene_.map_count; ++k) {
       const LaneFace& face = scene_.maps[k].face;

@@ -38,7 +38,7 @@ bool is_alone(const Space& space, std::uint32_t index, double graze) {
     const Mass& other = space.masses[i];
     return i != index && other.gm > 0.0 &&
            length(other.center - center) <=
-               radius + std::fmax(other.influence, other.schwarzschild);
+               radius + std::fmax(other.influence, other.horizon_radius);
   });
 }
 
@@ -47,6 +47,8 @@ bool is_alone(const Space& space, std::uint32_t index, double graze) {
 IsolatedMasses isolated_masses(const Space& space, double graze, std::size_t most) {
   const double tolerance = space.physics.tolerance;
   IsolatedMasses isolated;
+  // The tables are of the paper's law.
+  if (!std::holds_alternative<NewtonLaw>(space.law)) return isolated;
   for (std::uint32_t i = 0; i < space.masses.size() && isolated.masses.size() < most; ++i) {
     const Mass& mass = space.masses[i];
     if (!mass.has_horizon() || mass.core != 0.0 || !std::isfinite(mass.influence)) continue;
@@ -76,7 +78,7 @@ void note_crossing(const Mass& mass, const CrossingTable& table, const State& le
   const double offset = portalens::length(aside);
   const bool captured = dot(from, out) < 0.0;
   const double capture = table.range().capture;
-  const double b = captured ? std::fmin(offset / mass.schwarzschild, 1.0) * capture
+  const double b = captured ? std::fmin(offset / mass.horizon_radius, 1.0) * capture
                             : std::fmin(std::fmax(offset / radius, capture), 1.0);
   const Crossing crossing = table.at(b);
   const Vec3d inwards = offset > 0.0 ? aside / offset : any_perpendicular(out);

@@ -58,8 +58,8 @@ struct LaneManyMassesField {
   [[nodiscard]] R distance2(int mass) const { return squares[mass]; }
   [[nodiscard]] R ahead(int mass) const { return along[mass]; }
 
-  [[nodiscard]] LaneBending<R> bending(Vec3<R> x, Vec3<R>) const {
-    LaneBending<R> sum{{R(0), R(0), R(0)}, R(0), R(0), R(0)};
+  [[nodiscard]] BendingOf<R> bending(Vec3<R> x, Vec3<R>) const {
+    BendingOf<R> sum{{R(0), R(0), R(0)}, R(0), R(0), R(0)};
     for (int i = 0; i < count; ++i)
       add_bending(sum, mass(i), spread<R>(mass(i).center) - x, squares[i], along[i], inside[i]);
     return sum;

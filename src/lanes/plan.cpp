@@ -48,7 +48,7 @@ void add_isolated_masses(const Space& space, LanePlan& plan) {
         narrow(mass.center - plan.center),
         influence,
         influence * influence,
-        static_cast<float>(mass.schwarzschild),
+        static_cast<float>(mass.horizon_radius),
         {static_cast<float>(range.capture), static_cast<float>(range.scale),
          static_cast<float>(range.stretch)},
         table.cells().data()};
@@ -58,15 +58,16 @@ void add_isolated_masses(const Space& space, LanePlan& plan) {
 /// Floats hold its reciprocal to the third power, and no place is told apart so finely.
 constexpr double least_core2 = 1e-22;
 
-LaneMass lane_mass(const Mass& mass, Vec3d center, double c) {
+LaneMass lane_mass(const Space& space, const Mass& mass, Vec3d center) {
   LaneMass lane;
   lane.center = narrow(mass.center - center);
-  lane.gm = static_cast<float>(gravitational_radius(mass.gm, c));
+  lane.gm = static_cast<float>(space.medium.uniform_weight() *
+                               gravitational_radius(mass.gm, space.physics.c));
   // Never 0: what does not act is counted as 0 times its pull, also where it stands.
   lane.core2 = static_cast<float>(std::max(mass.core * mass.core, least_core2));
   lane.influence = static_cast<float>(mass.influence);
   lane.influence2 = lane.influence * lane.influence;
-  lane.horizon = mass.has_horizon() ? static_cast<float>(mass.schwarzschild) : -1.0f;
+  lane.horizon = mass.has_horizon() ? static_cast<float>(mass.horizon_radius) : -1.0f;
   lane.horizon2 = lane.horizon * lane.horizon;
   lane.bare2 = mass.has_horizon() ? 0.0f : bare2_of(lane.gm, lane.core2);
   return lane;
@@ -76,7 +77,7 @@ LaneMass lane_mass(const Mass& mass, Vec3d center, double c) {
 void add_masses(const Space& space, LanePlan& plan) {
   std::vector<LaneMass> masses;
   for (const std::uint32_t i : plan.stepped)
-    masses.push_back(lane_mass(space.masses[i], plan.center, space.physics.c));
+    masses.push_back(lane_mass(space, space.masses[i], plan.center));
   add_masses_of_portals(space, plan.center, masses);
   if (masses.size() > max_lane_masses) {
     plan.many = MassGrid(std::move(masses));
@@ -284,7 +285,7 @@ double radius_about(const Space& space, Vec3d center) {
   for (const Portal& portal : space.portals.portals())
     for (const Vec3d& vertex : portal.vertices) radius = std::max(radius, length(vertex - center));
   for (const Mass& mass : space.masses)
-    radius = std::max(radius, length(mass.center - center) + mass.influence + mass.schwarzschild);
+    radius = std::max(radius, length(mass.center - center) + mass.influence + mass.horizon_radius);
   return radius;
 }
 
@@ -333,7 +334,7 @@ std::string physics_refusal(const Space& space) {
 /// tolerance.
 double overshoot_for(const Space& space, double ahead) {
   const Physics& physics = space.physics;
-  const double bend = strongest_onset(space) / (physics.c * physics.c);
+  const double bend = space.medium.far_weight * strongest_onset(space) / (physics.c * physics.c);
   return std::clamp(0.03 * physics.tolerance / bend, 0.1 * ahead, ahead);
 }
 

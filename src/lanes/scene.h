@@ -18,7 +18,7 @@ struct LaneVec {
 /// A mass, or a portal that acts as one.
 struct LaneMass {
   LaneVec center;
-  float gm;  ///< G M / c², length
+  float gm;  ///< G M / c², times the weight of a uniform law; length
   float core2;
   float influence;
   float influence2;

@@ -35,7 +35,7 @@ class LaneShortestPath {
   }
   [[nodiscard]] Mask acting() const { return acting_; }
 
-  void add_to(LaneBending<R>& sum, Vec3<R> x, Vec3<R>) const {
+  void add_to(BendingOf<R>& sum, Vec3<R> x, Vec3<R>) const {
     sum.acceleration += pull(x, [&](const Held& held, R square, R near2) {
       const R scale2 = way_scale2(held.straight > R(0), square, near2);
       const R inverse2 = R(1) / scale2, inverse_square = R(1) / square;

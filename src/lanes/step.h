@@ -32,7 +32,7 @@ class LaneStepper {
     field.decide(x, t);
     const StateOf<R> here{x, t};
     const Mask flies = !field.acting;
-    const LaneBending<R> start = field.bending(x, t);
+    const BendingOf<R> start = field.bending(x, t);
     LaneCrossing<R> isolated(scene_);
     const Reach reach = foresee(field, here, start, flies, isolated);
 
@@ -103,7 +103,7 @@ class LaneStepper {
   /// Scenes without isolated masses pay for a branch.
   [[nodiscard]] bool has_isolated() const { return scene_.isolated_count > 0; }
 
-  [[nodiscard]] Reach foresee(F& field, const StateOf<R>& here, const LaneBending<R>& start,
+  [[nodiscard]] Reach foresee(F& field, const StateOf<R>& here, const BendingOf<R>& start,
                               Mask flies, LaneCrossing<R>& isolated) const {
     const V x = here.position, t = here.direction;
     Reach reach;
@@ -121,7 +121,7 @@ class LaneStepper {
 
   /// How long a step may be before borders cut it: what the field allows, or, where nothing acts,
   /// out of the scene.
-  [[nodiscard]] R longest(V x, const LaneBending<R>& start, Mask flies) const {
+  [[nodiscard]] R longest(V x, const BendingOf<R>& start, Mask flies) const {
     const R proposed = Radau::propose(start.stiffness, start.nearness, R(scene_.stiffness_weight),
                                       R(scene_.nearness_weight));
     return select(flies, span(x) + R(scene_.radius),
@@ -129,7 +129,7 @@ class LaneStepper {
   }
 
   [[nodiscard]] Judgement judge(const StateOf<R>& here, const LanePath<R>& path,
-                                const Bends<R>& bends, const LaneBending<R>& start,
+                                const Bends<R>& bends, const BendingOf<R>& start,
                                 Mask flies) const {
     const R pull2 = dot(start.acceleration, start.acceleration);
     Judgement judgement;

@@ -22,15 +22,17 @@ namespace portalens {
 
 /// Advances photons one after the other in double: the oracle that every other engine is held
 /// against. Borrows the space; the scratch it keeps makes it one thread's own.
-template <class I, class C>
+/// @tparam W  the `Weighing` of the law
+template <class I, class C, class W>
 class Tracer {
  public:
   Tracer(const Tracer&) = delete;
-  Tracer(const Space& space, const I& integrator, const C& coupling)
+  Tracer(const Space& space, const I& integrator, const C& coupling, W)
       : space_(space),
         tolerance_(space.physics.tolerance),
         integrator_(integrator),
-        field_(space.masses, space.mass_tree, coupling, space.physics.c),
+        field_(space.masses, space.mass_tree, coupling, space.physics.c,
+               space.medium.uniform_weight()),
         vicinity_(space.mass_tree),
         changes_(space, field_, vicinity_, surroundings_),
         obstacles_(space.surfaces, space.portals),
@@ -82,8 +84,7 @@ class Tracer {
     if (!is_finite(ray_state_.state.position) || !is_finite(ray_state_.state.direction))
       return end(Fate::lost);
     vicinity_.cover(ray_state_.state.position, 0.0);
-    if (const auto mass =
-            horizon_around(space_.masses, vicinity_.near(), ray_state_.state.position))
+    if (const auto mass = horizon_around(space_, vicinity_.near(), ray_state_.state.position))
       return absorb(*mass);
     if (gives_up()) return true;
     ++arrival.steps;
@@ -181,7 +182,7 @@ class Tracer {
     // Most horizons lie deep within an influence, where the flight ends.
     for (const std::uint32_t i : space_.mass_tree.bare_horizons()) {
       const Mass& mass = space_.masses[i];
-      const double at = entry_into(mass.center, mass.schwarzschild, ray);
+      const double at = entry_into(mass.center, mass.horizon_radius, ray);
       if (at <= distance && std::isfinite(at)) distance = at, swallowed = i;
     }
     if (std::isinf(distance)) return end(Fate::escaped);
@@ -233,7 +234,7 @@ class Tracer {
     }
     // Where a pull has no bound. Nothing is met on a path that is no number.
     if (!is_finite(end_.position) || !is_finite(end_.direction)) return end(Fate::lost);
-    const auto swallowed = first_horizon(space_.masses, vicinity_.near(), curve);
+    const auto swallowed = first_horizon(space_, vicinity_.near(), curve);
     const double limit = swallowed ? swallowed->distance : std::numeric_limits<double>::infinity();
     const auto met = obstacle_on(curve);
     if (swallowed && (!met || limit <= met->distance)) {
@@ -344,8 +345,8 @@ class Tracer {
   /// error is a share m/d of it), and the photon has escaped.
   [[nodiscard]] bool far_from_all() {
     if (!space_.unbounded) return false;
-    const auto rest =
-        last_pull(space_, ray_state_.state, surroundings_, bending_.acceleration, gates_);
+    const Vec3d through = field_.through_portals(ray_state_.state.position, surroundings_);
+    const auto rest = last_pull(space_, ray_state_.state, surroundings_, through, gates_);
     if (!rest || rest->turning > tolerance_ || rest->turning * rest->closeness > 0.02 * tolerance_)
       return false;
     const Ray ray{ray_state_.state.position, ray_state_.state.direction};
@@ -385,10 +386,10 @@ class Tracer {
   const Space& space_;
   double tolerance_;  ///< that of the scene, or a finer one
   I integrator_;
-  Field<C> field_;
+  Field<C, W> field_;
   Vicinity vicinity_;
   Surroundings surroundings_;
-  ChangeFinder<C> changes_;
+  ChangeFinder<C, W> changes_;
   Obstacles obstacles_;
   Vec3d gates_;  ///< the middle of all portals
 

@@ -111,7 +111,7 @@ BeamGuard::BeamGuard(const Space& space) : space_(&space) {
   }
   for (std::uint32_t i = 0; i < space.masses.size(); ++i) {
     const Mass& mass = space.masses[i];
-    if (mass.has_horizon()) add(nullptr, mass.center, mass.schwarzschild, Met::mass, i);
+    if (mass.has_horizon()) add(nullptr, mass.center, mass.horizon_radius, Met::mass, i);
   }
 }
 

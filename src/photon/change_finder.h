@@ -13,12 +13,12 @@
 namespace portalens {
 
 /// Compares what acts along a step with what acted at its start. Borrows all that it is made of.
-template <class C>
+template <class C, class W>
 class ChangeFinder {
  public:
   /// @param vicinity  covers every step that is looked along
   /// @param surroundings  of its start
-  ChangeFinder(const Space& space, const Field<C>& field, const Vicinity& vicinity,
+  ChangeFinder(const Space& space, const Field<C, W>& field, const Vicinity& vicinity,
                const Surroundings& surroundings)
       : space_(space), field_(field), vicinity_(vicinity), surroundings_(surroundings) {}
 
@@ -58,7 +58,7 @@ class ChangeFinder {
     for (const std::uint32_t i : vicinity_.near()) {
       const bool was = next < surroundings_.inside.size() && surroundings_.inside[next] == i;
       if (was) ++next;
-      if (was != Field<C>::within(space_.masses[i], x)) return true;
+      if (was != Field<C, W>::within(space_.masses[i], x)) return true;
     }
     return (std::isfinite(surroundings_.distance_to_support)) &&
            field_.signature(x) != surroundings_.signature;
@@ -76,7 +76,8 @@ class ChangeFinder {
       const double share = dot(mass.center - a, along) / length2;
       if (share <= 0.0 || share >= 1.0) continue;
       const double s = share * end;
-      if (s < first && !Field<C>::within(mass, a) && Field<C>::within(mass, curve.position(s)))
+      if (s < first && !Field<C, W>::within(mass, a) &&
+          Field<C, W>::within(mass, curve.position(s)))
         first = s;
     }
     return grazed_coupling(curve, first, margin);
@@ -99,7 +100,7 @@ class ChangeFinder {
   }
 
   const Space& space_;
-  const Field<C>& field_;
+  const Field<C, W>& field_;
   const Vicinity& vicinity_;
   const Surroundings& surroundings_;
 };

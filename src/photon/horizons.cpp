@@ -17,7 +17,7 @@ double bisect(double low, double high, Predicate holds) {
 /// Where the curve meets this horizon, or nothing.
 std::optional<double> contact(const Mass& mass, const Curve& curve) {
   const double h = curve.length();
-  const double r2 = mass.schwarzschild * mass.schwarzschild;
+  const double r2 = mass.horizon_radius * mass.horizon_radius;
   const auto outside = [&](double s) {
     const Vec3d d = curve.position(s) - mass.center;
     return dot(d, d) - r2;
@@ -38,19 +38,29 @@ std::optional<double> contact(const Mass& mass, const Curve& curve) {
 /// Whether the curve stays farther from the mass than its horizon, by a bound.
 bool surely_misses(const Mass& mass, const Curve& curve) {
   const Vec3d d = curve.position(0.0) - mass.center;
-  const double least = mass.schwarzschild + curve.length();
+  const double least = mass.horizon_radius + curve.length();
   return dot(d, d) > least * least;
 }
 
 }  // namespace
 
-std::optional<HorizonContact> first_horizon(std::span<const Mass> masses,
-                                            std::span<const std::uint32_t> near,
+std::optional<std::uint32_t> horizon_around(const Space& space, std::span<const std::uint32_t> near,
+                                            Vec3d x) {
+  for (const std::uint32_t i : near) {
+    const Mass& mass = space.masses[i];
+    const Vec3d d = mass.center - x;
+    if (mass.has_horizon() && dot(d, d) <= mass.horizon_radius * mass.horizon_radius) return i;
+  }
+  return std::nullopt;
+}
+
+std::optional<HorizonContact> first_horizon(const Space& space, std::span<const std::uint32_t> near,
                                             const Curve& curve) {
   std::optional<HorizonContact> first;
   for (const std::uint32_t i : near) {
-    if (!masses[i].has_horizon() || surely_misses(masses[i], curve)) continue;
-    const auto at = contact(masses[i], curve);
+    const Mass& mass = space.masses[i];
+    if (!mass.has_horizon() || surely_misses(mass, curve)) continue;
+    const auto at = contact(mass, curve);
     if (at && (!first || *at < first->distance)) first = HorizonContact{i, *at};
   }
   return first;

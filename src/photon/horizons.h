@@ -1,13 +1,14 @@
 /// \file
-/// The horizons of masses, met at rest and on a curve.
+/// Where light ends about masses, met at rest and on a curve: on the horizon of one, or, under a
+/// law that has a `greatest_potential`, where w comes to that.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <span>
 
-#include "gravity/mass.h"
 #include "photon/curve.h"
+#include "photon/space.h"
 
 namespace portalens {
 
@@ -16,21 +17,16 @@ struct HorizonContact {
   double distance;  ///< arc length on the curve
 };
 
-/// The first mass within whose horizon `x` lies.
+/// The mass that absorbs what is at `x`: the first within whose horizon that lies, or the one that
+/// counts for most there.
 /// @param near  those to ask, ascending
-[[nodiscard]] inline std::optional<std::uint32_t> horizon_around(
-    std::span<const Mass> masses, std::span<const std::uint32_t> near, Vec3d x) {
-  for (const std::uint32_t i : near) {
-    const Vec3d d = masses[i].center - x;
-    if (masses[i].has_horizon() && dot(d, d) <= masses[i].schwarzschild * masses[i].schwarzschild)
-      return i;
-  }
-  return std::nullopt;
-}
+[[nodiscard]] std::optional<std::uint32_t> horizon_around(const Space& space,
+                                                          std::span<const std::uint32_t> near,
+                                                          Vec3d x);
 
-/// The first horizon that the curve meets: sought at its end and at its closest approach.
+/// The first place where the curve ends on a mass: sought at its end and at its closest approach.
 /// @param near  the masses to ask, ascending
-[[nodiscard]] std::optional<HorizonContact> first_horizon(std::span<const Mass> masses,
+[[nodiscard]] std::optional<HorizonContact> first_horizon(const Space& space,
                                                           std::span<const std::uint32_t> near,
                                                           const Curve& curve);
 

@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "gravity/attraction.h"
-
 namespace portalens {
 namespace {
 
@@ -28,10 +26,8 @@ std::optional<Vec3d> kick_through_portals(const Space& space, const State& state
 }  // namespace
 
 std::optional<LastPull> last_pull(const Space& space, const State& state,
-                                  const Surroundings& surroundings, Vec3d acceleration,
-                                  Vec3d gates) {
+                                  const Surroundings& surroundings, Vec3d through, Vec3d gates) {
   LastPull rest;
-  Vec3d through = acceleration;
   for (const std::uint32_t i : surroundings.inside) {
     const Mass& mass = space.masses[i];
     if (!std::isinf(mass.influence)) return std::nullopt;
@@ -41,8 +37,7 @@ std::optional<LastPull> last_pull(const Space& space, const State& state,
     if (outward < 0.9) return std::nullopt;
     const Vec3d across = turning_part(to_mass, state.direction);
     const double b = length(across);
-    const double gm = gravitational_radius(mass.gm, space.physics.c);
-    through -= attraction(to_mass, gm, mass.core * mass.core);
+    const double gm = space.medium.far_weight * gravitational_radius(mass.gm, space.physics.c);
     if (b == 0.0) continue;
     // ∫ m b / (b² + s²)^(3/2) ds from here to infinity on the straight path = (m/b) (1 - outward).
     const double turning = gm / d * (b / d) / (1.0 + outward);

@@ -18,11 +18,12 @@ struct LastPull {
 
 /// From here to infinity on a straight path, to first order in m/d. Nothing where that can't be
 /// told: within a finite influence, on a path that does not lead outwards, or too near to portals.
-/// @param surroundings  at the photon's place, and `acceleration` the pull there over c²
+/// @param surroundings  at the photon's place
+/// @param through       what bends it there through portals
 /// @param gates         the middle of all portals
 [[nodiscard]] std::optional<LastPull> last_pull(const Space& space, const State& state,
-                                                const Surroundings& surroundings,
-                                                Vec3d acceleration, Vec3d gates);
+                                                const Surroundings& surroundings, Vec3d through,
+                                                Vec3d gates);
 
 /// Of all their vertices; the origin if there are none.
 [[nodiscard]] Vec3d middle_of_portals(const Space& space);

@@ -1,6 +1,7 @@
 #include "photon/physics.h"
 
 #include "gravity/coupling.h"
+#include "gravity/law.h"
 #include "photon/integrator.h"
 
 namespace portalens {
@@ -17,6 +18,7 @@ Physics Physics::from(Parameters& parameters) {
   physics.G = parameters.number("G", non_negative, physics.G);
   physics.c = parameters.number("c", {1e-9, 1e12}, physics.c);
   physics.min_force = parameters.number("min_force", non_negative, physics.min_force);
+  physics.law = parameters.choice("law", law_names(), physics.law);
   physics.integrator = parameters.choice("integrator", Integrators::names, physics.integrator);
   physics.tolerance = parameters.number("tolerance", {1e-14, 1.0}, physics.tolerance);
   physics.step = parameters.number("step", positive, physics.step);

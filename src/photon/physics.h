@@ -13,6 +13,7 @@ struct Physics {
   double G = 1.0;
   double c = 45.0;
   double min_force = 0.01;
+  std::string law = "newton";
   std::string integrator = "adaptive";
   double tolerance = 1e-4;  ///< radians in direction, over a path
   double step = 0.02;       ///< fixed-step integrators, arc length

@@ -19,6 +19,8 @@ Space::Space(Physics the_physics, std::uint32_t crossings, std::vector<Shape> sh
              std::vector<Portal> the_portals, std::vector<Mass> the_masses,
              std::optional<Vec3d> the_viewpoint)
     : physics(std::move(the_physics)),
+      law(make_law(physics.law)),
+      medium(constants_of(law)),
       max_crossings(crossings),
       surfaces(std::move(shapes), openings_of(the_portals)),
       portals(std::move(the_portals), surfaces.flush(),
@@ -37,7 +39,8 @@ Space::Space(Physics the_physics, std::uint32_t crossings, std::vector<Shape> sh
     for (const Vec3d& vertex : portal.vertices) box.add(vertex);
   for (const Mass& mass : masses) {
     unbounded = unbounded || (std::isinf(mass.influence) && mass.gm > 0.0);
-    const double reach = std::isinf(mass.influence) ? mass.schwarzschild : mass.influence;
+    const double reach =
+        std::isinf(mass.influence) ? schwarzschild_radius(mass.gm, physics.c) : mass.influence;
     box.add(mass.center - Vec3d{reach, reach, reach});
     box.add(mass.center + Vec3d{reach, reach, reach});
   }

@@ -8,6 +8,7 @@
 
 #include "geometry/accelerator.h"
 #include "gravity/coupling.h"
+#include "gravity/law.h"
 #include "gravity/mass.h"
 #include "gravity/mass_tree.h"
 #include "photon/physics.h"
@@ -26,6 +27,8 @@ struct Space {
                                                      Vec3d direction) const;
 
   Physics physics;
+  Law law;
+  LawConstants medium;  ///< of the law
   std::uint32_t max_crossings;
   Accelerator surfaces;
   PortalSet portals;

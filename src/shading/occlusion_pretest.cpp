@@ -80,7 +80,7 @@ OcclusionPretest::OcclusionPretest(const Space& space) {
       }
   }
   for (const Mass& mass : space.masses)
-    if (mass.horizon) add_ball(mass.center, mass.schwarzschild, no_surface);
+    if (mass.horizon) add_ball(mass.center, mass.horizon_radius, no_surface);
   complete_ = true;
 }
 

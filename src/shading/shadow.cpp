@@ -29,7 +29,7 @@ bool meets_horizon(const Space& space, const Stretch& way) {
     const Vec3d to_mass = mass.center - way.ray.origin;
     const double along = std::clamp(dot(to_mass, way.ray.direction), 0.0, way.length);
     const Vec3d nearest = to_mass - way.ray.direction * along;
-    return dot(nearest, nearest) <= mass.schwarzschild * mass.schwarzschild;
+    return dot(nearest, nearest) <= mass.horizon_radius * mass.horizon_radius;
   });
 }
 

@@ -113,7 +113,7 @@ Box extent_of(const Objects& objects) {
   for (const Portal& portal : objects.portals)
     for (const Vec3d& vertex : portal.vertices) box.add(vertex);
   for (const Mass& mass : objects.masses) {
-    const double reach = mass.horizon ? mass.schwarzschild : mass.core;
+    const double reach = mass.horizon ? mass.horizon_radius : mass.core;
     box.add(mass.center - Vec3d{reach, reach, reach});
     box.add(mass.center + Vec3d{reach, reach, reach});
   }

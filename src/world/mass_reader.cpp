@@ -35,9 +35,9 @@ std::optional<std::uint32_t> read_mass(Parameters& parameters, const std::string
   mass.core = parameters.number("core_radius", non_negative, 0.0);
   mass.horizon = parameters.boolean("horizon", mass.core == 0.0);
   mass.gm = physics.G * kilograms;
-  mass.schwarzschild = schwarzschild_radius(mass.gm, physics.c);
+  mass.horizon_radius = schwarzschild_radius(mass.gm, physics.c);
   mass.influence = influence_radius(mass.gm, physics.min_force);
-  if (!(mass.schwarzschild <= largest_coordinate) || !std::isfinite(mass.gm)) {
+  if (!(mass.horizon_radius <= largest_coordinate) || !std::isfinite(mass.gm)) {
     parameters.fault("mass", "the horizon of this mass is wider than 1e12",
                      "give a smaller mass, or a smaller G");
     return std::nullopt;

@@ -39,7 +39,7 @@ void about_pairs(std::string_view items, std::size_t count, const Overlap& overl
 }
 
 bool within_horizon(const World& world, const Mass& mass) {
-  return mass.horizon && length(world.camera.position - mass.center) <= mass.schwarzschild;
+  return mass.horizon && length(world.camera.position - mass.center) <= mass.horizon_radius;
 }
 
 void about_camera(const World& world, Warnings& warnings) {
@@ -71,7 +71,7 @@ void about_masses(const World& world, Warnings& warnings) {
   }
   const auto overlap = [&](std::size_t j, std::size_t i) {
     return length(holes[i]->center - holes[j]->center) <
-           holes[i]->schwarzschild + holes[j]->schwarzschild;
+           holes[i]->horizon_radius + holes[j]->horizon_radius;
   };
   const auto tell = [&](std::size_t j, std::size_t i) {
     return fmt::format("the horizons of {} and {} overlap", in_quotes(holes[j]->name),
@@ -80,24 +80,30 @@ void about_masses(const World& world, Warnings& warnings) {
   about_pairs("horizons", holes.size(), overlap, tell, warnings);
 }
 
+/// "2 G M / c²"
+std::string in_radii(double count) {
+  return count == 1.0 ? "G M / c²" : fmt::format("{:.4g} G M / c²", count);
+}
+
 /// Masses whose pull through a portal has no bound, or none that light could leave.
 void about_bound_light(const World& world, Warnings& warnings) {
   const Space& space = world.space;
   const Physics& physics = space.physics;
   if (physics.portal_gravity_depth == 0) return;
   const auto portals = space.portals.portals();
-  const auto found = bound_light(physics.portal_gravity, portals, space.masses, physics.c);
+  const auto found = bound_light(physics.portal_gravity, portals, space.masses, physics.c,
+                                 space.medium.light_sphere);
   for (const BoundLight& one : std::span(found).first(std::min(found.size(), max_told))) {
     const Mass& mass = space.masses[one.mass];
     const Portal& portal = portals[one.portal];
-    const double m = gravitational_radius(mass.gm, physics.c);
+    const double m = space.medium.light_sphere * gravitational_radius(mass.gm, physics.c);
     const std::string where = one.distance > 0.0
                                   ? fmt::format("from as near as {:.3g}, which is", one.distance)
                                   : "from its own place, where its pull has no bound: that is";
     warnings.push_back(fmt::format(
-        "through portal {} light feels mass {} {} nearer than G M / c² = {:.3g}, and winds round "
+        "through portal {} light feels mass {} {} nearer than {} = {:.3g}, and winds round "
         "it; give the mass a core_radius greater than that, or move it away from portal {}",
-        in_quotes(portal.name), in_quotes(mass.name), where, m,
+        in_quotes(portal.name), in_quotes(mass.name), where, in_radii(space.medium.light_sphere), m,
         in_quotes(portals[portal.pair].name)));
   }
   if (found.size() > max_told)
@@ -119,10 +125,10 @@ void about_hidden_bodies(const World& world, Warnings& warnings) {
     const Vec3d farthest{reach(box.low.x, box.high.x, mass.center.x),
                          reach(box.low.y, box.high.y, mass.center.y),
                          reach(box.low.z, box.high.z, mass.center.z)};
-    if (mass.horizon && length(farthest) <= mass.schwarzschild)
+    if (mass.horizon && length(farthest) <= mass.horizon_radius)
       warnings.push_back(fmt::format(
           "the surface of {} lies within its own horizon (radius {:.4g}) and is never seen",
-          in_quotes(body.name), mass.schwarzschild));
+          in_quotes(body.name), mass.horizon_radius));
   }
 }
 

@@ -23,7 +23,7 @@ std::vector<Mass> strewn_masses(int count, Random& random) {
     mass.gm = 1.0;
     mass.center = random.point(i % 40 == 39 ? 1e14 : 10.0);
     mass.influence = i % 50 == 49 ? infinity : random.uniform(0.0, 1.0);
-    mass.schwarzschild = i % 10 == 0 ? 1.5 * random.uniform(0.0, 1.0) : 1e-3;
+    mass.horizon_radius = i % 10 == 0 ? 1.5 * random.uniform(0.0, 1.0) : 1e-3;
     masses.push_back(mass);
   }
   return masses;
@@ -57,7 +57,7 @@ TEST(MassTree, HoldsAllWhoseSpheresMeetABall) {
       tree.around(x, radius, found);
       EXPECT_TRUE(std::is_sorted(found.begin(), found.end()));
       for (std::uint32_t k = 0; k < masses.size(); ++k) {
-        const double reach = std::max(masses[k].influence, masses[k].schwarzschild) + radius;
+        const double reach = std::max(masses[k].influence, masses[k].horizon_radius) + radius;
         if (length(masses[k].center - x) <= reach) {
           EXPECT_TRUE(std::binary_search(found.begin(), found.end(), k)) << "mass " << k;
         }
@@ -73,7 +73,7 @@ TEST(MassTree, KnowsTheHorizonsThatNoInfluenceHides) {
   const auto bare = tree.bare_horizons();
   for (std::uint32_t i = 0; i < masses.size(); ++i)
     EXPECT_EQ(std::count(bare.begin(), bare.end(), i),
-              masses[i].schwarzschild >= masses[i].influence ? 1 : 0);
+              masses[i].horizon_radius >= masses[i].influence ? 1 : 0);
 }
 
 }  // namespace

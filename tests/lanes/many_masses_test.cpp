@@ -180,7 +180,7 @@ TEST(ManyMasses, AbsorbsWhereHorizonsAreLargerThanInfluences) {
   for (int i = 0; i < 60; ++i) masses.push_back(mass_of(random.point(half), 1.0, physics));
   const PlannedSpace space = space_with(physics, masses);
   ASSERT_TRUE(space.lanes);
-  ASSERT_GT(masses[0].schwarzschild, 1.5 * masses[0].influence);
+  ASSERT_GT(masses[0].horizon_radius, 1.5 * masses[0].influence);
   const auto photons = photons_about(scaled(1000), 6);
   const auto lanes = in_lanes(space, photons, lane_engine().name);
   const auto scalar = by_scalar(space, photons);

@@ -123,7 +123,7 @@ TEST(BeamGuard, SeesATriangleOnTheWayOfAnyPhotonBetween) {
 TEST(BeamGuard, SeesAHorizonOnTheWayOfAnyPhotonBetween) {
   expect_seen([](Vec3d place, double size) {
     Mass hole = mass_at(place, 1e-6, physics_with(1e-4, 0.5));
-    hole.schwarzschild = size;
+    hole.horizon_radius = size;
     return space_of({}, {hole});
   });
 }

@@ -111,8 +111,8 @@ TEST(ClosedForms, TheBlackDiscHasTheRadiusOfCapture) {
 
 TEST(ClosedForms, CaptureOutsideTheInfluenceIsTheHorizonItself) {
   const PlannedSpace space = one_mass(1e-8, 1e5);  // R < r_s
-  ASSERT_LT(space.masses[0].influence, space.masses[0].schwarzschild);
-  const double edge = space.masses[0].schwarzschild;
+  ASSERT_LT(space.masses[0].influence, space.masses[0].horizon_radius);
+  const double edge = space.masses[0].horizon_radius;
   EXPECT_EQ(advance_one(space, photon_at({-50, edge * (1 - 1e-9), 0}, {1, 0, 0})).fate,
             Fate::absorbed);
   EXPECT_EQ(advance_one(space, photon_at({-50, edge * (1 + 1e-9), 0}, {1, 0, 0})).fate,
@@ -124,7 +124,7 @@ TEST(ClosedForms, AbsorptionHappensOnTheHorizon) {
   for (double share = 0.0; share < 3.29; share += 0.3) {
     const Arrival arrival = advance_one(space, photon_at({-500, share * m, 0}, {1, 0, 0}));
     ASSERT_EQ(arrival.fate, Fate::absorbed);
-    EXPECT_NEAR(length(arrival.position), space.masses[0].schwarzschild, 1e-10);
+    EXPECT_NEAR(length(arrival.position), space.masses[0].horizon_radius, 1e-10);
   }
 }
 

@@ -123,7 +123,8 @@ INSTANTIATE_TEST_SUITE_P(Couplings, SingularCoupling,
 TEST(Singular, MassesThatBindLightThroughPortalsAreFound) {
   const auto found = [](const char* coupling, Vec3d at, double core = 0.0) {
     const PlannedSpace space = pair_with(coupling, at, core);
-    return bound_light(coupling, space.portals.portals(), space.masses, space.physics.c);
+    return bound_light(coupling, space.portals.portals(), space.masses, space.physics.c,
+                       space.medium.light_sphere);
   };
   for (const char* coupling : {"closest-point", "graviton-map", "shortest-path"})
     for (std::size_t i = 0; i < 6; ++i) {

@@ -37,7 +37,7 @@ TEST(Vicinity, HoldsAllThatMattersWhereverAPhotonGoes) {
     const auto near = vicinity.near();
     EXPECT_TRUE(std::is_sorted(near.begin(), near.end()));
     for (std::uint32_t i = 0; i < masses.size(); ++i) {
-      const double far = std::max(masses[i].influence, masses[i].schwarzschild) + reach;
+      const double far = std::max(masses[i].influence, masses[i].horizon_radius) + reach;
       if (length(masses[i].center - x) <= far) {
         EXPECT_TRUE(std::binary_search(near.begin(), near.end(), i)) << "mass " << i;
       }

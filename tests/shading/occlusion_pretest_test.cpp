@@ -53,7 +53,7 @@ PlannedSpace random_space(test::Random& random, Vec3d at) {
   for (Mass& mass : masses) {
     mass.gm = 1.0;
     mass.center = place();
-    mass.schwarzschild = random.uniform(0.1, 0.7);
+    mass.horizon_radius = random.uniform(0.1, 0.7);
   }
   masses[1].horizon = false;
   const bool windows = random.uniform(0, 1) < 0.5;

@@ -66,7 +66,7 @@ TEST(Shadow, ASurfaceDoesNotHideItselfFromTheSideOnWhichTheRayLeaves) {
 TEST(Shadow, IsCastByHorizonsAndNotByOtherMasses) {
   Mass hole;
   hole.gm = 1.0;
-  hole.schwarzschild = 1.0;
+  hole.horizon_radius = 1.0;
   hole.influence = 100.0;
   Mass cluster = hole;
   cluster.horizon = false;
@@ -100,7 +100,7 @@ TEST(Shadow, ThroughAPortalEqualsTheUnfoldedSceneWithoutPortals) {
   Mass hole;
   hole.gm = 1.0;
   hole.center = through.move({0.5, -0.5, -1.5});
-  hole.schwarzschild = 0.2;
+  hole.horizon_radius = 0.2;
   Mass hole_image = hole;
   hole_image.center = through.move_back(hole.center);
   const PlannedSpace folded = plain_space({here, there}, portals, {hole});

@@ -18,7 +18,7 @@ inline Mass mass_at(Vec3d center, double gm, const Physics& physics) {
   Mass mass;
   mass.center = center;
   mass.gm = gm;
-  mass.schwarzschild = schwarzschild_radius(gm, physics.c);
+  mass.horizon_radius = schwarzschild_radius(gm, physics.c);
   mass.influence = influence_radius(gm, physics.min_force);
   return mass;
 }

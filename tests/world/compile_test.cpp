@@ -227,7 +227,7 @@ mass = 0
   EXPECT_EQ(masses[0].name, "sphere0");
   EXPECT_EQ(masses[0].center, (Vec3d{1, 2, 3}));
   EXPECT_DOUBLE_EQ(masses[0].gm, 200);
-  EXPECT_DOUBLE_EQ(masses[0].schwarzschild, 4);
+  EXPECT_DOUBLE_EQ(masses[0].horizon_radius, 4);
   EXPECT_DOUBLE_EQ(masses[0].influence, 20);
   EXPECT_TRUE(masses[0].horizon);
   EXPECT_EQ(masses[1].center, (Vec3d{7, 7, 7}));
