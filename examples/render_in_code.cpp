@@ -40,7 +40,7 @@ int main(int argc, char** argv) {
     for (const Fault& fault : report.faults) std::printf("%s\n", to_string(fault).c_str());
     if (!report.sound()) return 1;
     for (const MassSummary& mass : report.summary.masses)
-      std::printf("%s swallows light within %.4f\n", mass.name.c_str(), mass.schwarzschild_radius);
+      std::printf("%s swallows light within %.4f\n", mass.name.c_str(), mass.horizon_radius);
 
     const Rendering rendering = render(compile(scene));
     write_picture(file, rendering.picture, {{"Comment", "built in code"}});

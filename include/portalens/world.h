@@ -30,10 +30,10 @@ struct MassSummary {
   std::string name;
   double mass = 0.0;  ///< in units by which `physics.G · mass` is length³/time²
   Vec3 center;
-  double schwarzschild_radius = 0.0;  ///< length
-  double influence_radius = 0.0;      ///< length; beyond it the mass does nothing; may be infinite
-  double core_radius = 0.0;           ///< length; 0: a point
-  bool horizon = false;               ///< whether it swallows light
+  double horizon_radius = 0.0;    ///< length
+  double influence_radius = 0.0;  ///< length; beyond it the mass does nothing; may be infinite
+  double core_radius = 0.0;       ///< length; 0: a point
+  bool horizon = false;           ///< whether it swallows light
 };
 
 struct PortalSummary {

@@ -91,11 +91,6 @@ Scene& Scene::set(std::string_view section, const Entries& entries, Place place)
 Scene& Scene::add(std::string_view kind, const Entries& entries, Place place) {
   portalens::Scene& scene = inside_->scene;
   const Location where = location_of(place);
-  if (!is_list(kind)) {
-    scene.faults.add(where, "nothing is a " + in_quotes(kind),
-                     suggestion_or_list(kind, tables_known()));
-    return *this;
-  }
   std::vector<Table>& list = list_of(scene, kind);
   if (list.size() == max_objects)
     scene.faults.add(where, "more than " + std::to_string(max_objects) + " objects",

@@ -20,7 +20,7 @@ std::vector<MassSummary> masses_of(const Space& space) {
   std::vector<MassSummary> masses;
   for (const Mass& mass : space.masses)
     masses.push_back({mass.name, mass.gm / space.physics.G, outward(mass.center),
-                      mass.schwarzschild, mass.influence, mass.core, mass.horizon});
+                      mass.horizon_radius, mass.influence, mass.core, mass.horizon});
   return masses;
 }
 

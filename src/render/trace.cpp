@@ -49,7 +49,7 @@ Trace trace_ray(const World& world, const Photon& start, int max_bounces) {
   Photon photon = start;
   trace.end = advance_recorded(world.space, photon, trace.path_trace);
   for (int i = 0; i < max_bounces && trace.end.fate == Fate::hit; ++i) {
-    const ShadingPoint point = shading_point(world.space, world.appearance, trace.end);
+    const ShadingPoint point = shaded_surface(world.space, world.appearance, trace.end).point;
     const auto mirrored = reflect(trace.end.direction, point.normal, 0.0, 0.0, 0.0);
     if (!mirrored) break;
     photon.position = point.position;

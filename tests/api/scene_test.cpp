@@ -141,7 +141,7 @@ TEST(ApiScene, ASummaryTellsWhatAWorldHolds) {
   ASSERT_EQ(summary.masses.size(), 1u);
   EXPECT_EQ(summary.masses[0].name, "hole");
   EXPECT_DOUBLE_EQ(summary.masses[0].mass, 150.0);
-  EXPECT_DOUBLE_EQ(summary.masses[0].schwarzschild_radius, 2 * 150.0 / (45.0 * 45.0));
+  EXPECT_DOUBLE_EQ(summary.masses[0].horizon_radius, 2 * 150.0 / (45.0 * 45.0));
   ASSERT_EQ(summary.portals.size(), 2u);
   EXPECT_EQ(summary.portals[0].pair, "out");
   EXPECT_EQ(summary.portals[0].normal, (Vec3{0, 0, 1}));
