@@ -38,7 +38,7 @@ std::vector<Photon> mirrored_photons(const World& world, const std::vector<Photo
   std::vector<Photon> mirrored;
   for (const Arrival& arrival : arrivals) {
     if (arrival.fate != Fate::hit) continue;
-    const ShadingPoint point = points.at(arrival);
+    const ShadingPoint point = points.at(arrival).point;
     const double towards = dot(arrival.direction, point.outward);
     if (towards >= 0.0) continue;
     Photon photon;
