@@ -146,7 +146,7 @@ void add_ray_options(CLI::App& command, DrawArguments& arguments) {
       command
           .add_option(
               "--color", arguments.style.color,
-              "Colour the ways by how their photons end, or by how sharply they turn, instead "
+              "Colour the paths by how their photons end, or by how sharply they turn, instead "
               "of step by step")
           ->transform(one_of(path_color_names()))
           ->type_name("fate|turning");
@@ -203,7 +203,7 @@ void add_view_options(CLI::App& command, DrawArguments& arguments) {
 void add_draw_command(CLI::App& program, Command& chosen) {
   const auto arguments = std::make_shared<DrawArguments>();
   CLI::App& command =
-      *program.add_subcommand("draw", "Draw a scene and the ways of photons, as SVG or PNG");
+      *program.add_subcommand("draw", "Draw a scene and the paths of photons, as SVG or PNG");
   add_scene_options(command, arguments->scene);
   command
       .add_option("-o,--output", arguments->output,

@@ -63,15 +63,15 @@ int tell(const FieldArguments& arguments) {
 }
 
 constexpr const char* explanation = R"(
---at tells the acceleration that light feels there, and its parts: each mass directly, and each way
-through portals. A way is told by its portals, its length, and
+--at tells the acceleration that light feels there, and its parts: each mass directly, and each path
+through portals. A path is told by its portals, its length, and
   closest-point, graviton-map  by the nearest point of each face, and where the last one leads to
   shortest-path                by the bends, and where the mass seems to be, all unfolded
   portal-mass                  by the centroid
 
 A drawing shows strength as colour (logarithmic, with its legend), direction as arrows, masses as
 discs within the circle of their influence, portals as outlines, thick where the plane cuts them
-and with teeth on the front, and in green the ways to the faces: from each dot to what pulls there.
+and with teeth on the front, and in green the paths to the faces: from each dot to what pulls there.
 
 Examples:
   portalens field scene.toml --at 0 1 2 --json
@@ -99,7 +99,7 @@ void add_drawing_options(CLI::App& command, FieldArguments& arguments) {
       {"none", DrawnWays::none}, {"nearest", DrawnWays::nearest}, {"all", DrawnWays::all}};
   command
       .add_option("--ways", arguments.drawing.ways,
-                  "Ways drawn from a point: to the nearest face (the default), to all, or none")
+                  "Paths drawn from a point: to the nearest face (the default), to all, or none")
       ->transform(one_of(kinds))
       ->type_name("nearest|all|none");
   arguments.drawing.threads = available_threads();

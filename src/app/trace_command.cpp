@@ -113,7 +113,7 @@ class WaysFile {
     const std::filesystem::path& file = arguments.output;
     if (!is_drawing_file(file) && !is_path_file(file))
       throw SceneError({{Location{}, "can't write " + file.string() + ": its kind is not known",
-                         "a file of ways ends in .obj, .ply, .gltf or .csv, a drawing of them in "
+                         "a file of paths ends in .obj, .ply, .gltf or .csv, a drawing of them in "
                          ".svg or .png"}});
     check_replaceable(file);
   }
@@ -219,17 +219,18 @@ void add_trace_command(CLI::App& program, Command& chosen) {
       .add_option("-t,--threads", arguments->threads,
                   "Threads; by default as many as the machine has")
       ->check(CLI::Range(1, 1024));
-  command.add_flag("--path", arguments->path, "Print the points of the way, too");
+  command.add_flag("--path", arguments->path, "Print the points of the path, too");
   command.add_flag("--json", arguments->json, "Print one JSON object a photon, each on its line");
   CLI::Option* output =
       command
-          .add_option("-o,--output", arguments->output,
-                      "Write the ways, too: .obj, .ply, .gltf (coloured, with portals and masses), "
-                      ".csv; or draw them as a plan: .svg, .png")
+          .add_option(
+              "-o,--output", arguments->output,
+              "Write the paths, too: .obj, .ply, .gltf (coloured, with portals and masses), "
+              ".csv; or draw them as a plan: .svg, .png")
           ->type_name("FILE");
   command
       .add_option("--color", arguments->color,
-                  "Colour the ways by how their photons end, or by how sharply they turn")
+                  "Colour the paths by how their photons end, or by how sharply they turn")
       ->transform(one_of(path_color_names()))
       ->needs(output)
       ->type_name("fate|turning");
@@ -242,8 +243,8 @@ void add_trace_command(CLI::App& program, Command& chosen) {
 Examples:
   portalens trace scene.toml --ray 0 1 5  0 0 -1
   portalens trace scene.toml --pixel 320 180
-  portalens trace scene.toml --pixel 320 180 -o way.gltf
-  portalens trace scene.toml --rays rays.txt --json --path > ways.jsonl)");
+  portalens trace scene.toml --pixel 320 180 -o path.gltf
+  portalens trace scene.toml --rays rays.txt --json --path > paths.jsonl)");
   command.callback([arguments, ray, rays, pixels, &chosen] {
     if (ray->count() + rays->count() + pixels->count() == 0)
       throw CLI::RequiredError("--ray, --rays or --pixel");

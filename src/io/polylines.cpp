@@ -59,7 +59,7 @@ std::string paths_as_csv(const PathPicture& picture) {
 }
 
 std::string paths_as_obj(const PathPicture& picture) {
-  std::string text = "# ways of photons, by portalens\n";
+  std::string text = "# paths of photons, by portalens\n";
   const auto out = std::back_inserter(text);
   std::size_t next = 1;
   for (const PathLine& line : picture.lines) {
@@ -82,7 +82,7 @@ std::string paths_as_ply(const PathPicture& picture) {
     edges += point_count(line) > 0 ? point_count(line) - 1 : 0;
   }
   std::string text = fmt::format(
-      "ply\nformat ascii 1.0\ncomment ways of photons, by portalens\nelement vertex {}\n"
+      "ply\nformat ascii 1.0\ncomment paths of photons, by portalens\nelement vertex {}\n"
       "property double x\nproperty double y\nproperty double z\n"
       "property uchar red\nproperty uchar green\nproperty uchar blue\n"
       "element edge {}\nproperty int vertex1\nproperty int vertex2\nend_header\n",

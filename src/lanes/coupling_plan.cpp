@@ -58,7 +58,7 @@ class GatePlanner {
           "\"portal-mass\" or \"none\" they take more)",
           masses_.size(), max_lane_masses);
     return fmt::format(
-        "closest-point goes through portals in more than {} ways (a smaller "
+        "closest-point goes through portals on more than {} paths (a smaller "
         "physics.portal_gravity_depth has fewer)",
         max_lane_gates);
   }
@@ -255,7 +255,7 @@ float bare2_of_way(const Space& space, const ShortestPathCoupling::Image& image,
                                    LanePlan& plan) {
   LaneScene& scene = plan.scene;
   if (coupling.images().size() > max_lane_ways)
-    return fmt::format("shortest-path has {} ways from masses through portals (lanes take {})",
+    return fmt::format("shortest-path has {} paths from masses through portals (lanes take {})",
                        coupling.images().size(), max_lane_ways);
   std::uint32_t entered = no_portal;
   for (const ShortestPathCoupling::Image& image : coupling.images()) {
