@@ -77,7 +77,7 @@ class Shader {
     const Material& material = appearance_.materials[place.point.material];
     const Rgb emitted = material.emitted_at(place.surface);
     std::visit(
-        [&](const auto& bsdf) [[gnu::always_inline]] {
+        [&](const auto& bsdf) __attribute__((always_inline)) {
           shade_point(place.point, bsdf.at(place.surface), emitted, bsdf.sends());
         },
         material.bsdf());
@@ -116,7 +116,7 @@ class Shader {
   [[gnu::always_inline]] void ask_lights(const ShadingPoint& point, const Here& bsdf) {
     for (std::size_t i = 0; i < appearance_.lights.size(); ++i)
       std::visit(
-          [&](const auto& light) [[gnu::always_inline]] {
+          [&](const auto& light) __attribute__((always_inline)) {
             if constexpr (std::decay_t<decltype(light)>::is_delta)
               ask_light(point, bsdf, light, 0.0, 0.0, 1.0);
             else
