@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "geometry/shape.h"
+#include "support/list_types.h"
 #include "support/random.h"
 
 namespace portalens::test {
@@ -58,7 +59,22 @@ namespace portalens::test {
 
 /// Some shapes of each type in the list, about `at`, no larger than 4.
 template <class Type>
-struct Samples;
+struct Samples {
+  static std::vector<Type> about(Vec3d at) {
+    const auto point = [&](double x, double y, double z) {
+      return value_of({at.x + x, at.y + y, at.z + z});
+    };
+    Table table{std::string(Type::name), {}, {}};
+    table.set("center", point(0, 0, 0));
+    table.set("base", point(0, -0.5, 0));
+    table.set("vertices", {Value::List{point(-1, 0, 1), point(1, 0, 1), point(1, 0, -1)}, {}});
+    for (const char* key : {"radius", "outer_radius", "height", "size"})
+      table.set(key, value_of(1.0));
+    for (const char* key : {"inner_radius", "tube_radius", "thickness"})
+      table.set(key, value_of(0.4));
+    return from_common_keys<Type>(table);
+  }
+};
 
 template <>
 struct Samples<Sphere> {

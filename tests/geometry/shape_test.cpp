@@ -9,6 +9,7 @@
 
 #include "geometry/closest_point.h"
 #include "geometry/samples.h"
+#include "support/list_types.h"
 #include "support/scale.h"
 
 namespace portalens::test {
@@ -19,12 +20,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 template <class Type>
 class EachShape : public testing::Test {};
 
-template <class Variant>
-struct TypesOf;
-template <class... Types>
-struct TypesOf<std::variant<Types...>> {
-  using type = testing::Types<Types...>;
-};
 TYPED_TEST_SUITE(EachShape, TypesOf<Shape>::type);
 
 /// How far a point is from the surface, from the shape's own account of what lies near.

@@ -3,6 +3,7 @@
 
 #include "gravity/coupling.h"
 #include "gravity/portal_scenes.h"
+#include "support/list_types.h"
 #include "support/scale.h"
 
 namespace portalens::test {
@@ -11,12 +12,6 @@ namespace {
 template <class C>
 class Couplings : public testing::Test {};
 
-template <class Variant>
-struct TypesOf;
-template <class... Types>
-struct TypesOf<std::variant<Types...>> {
-  using type = testing::Types<Types...>;
-};
 TYPED_TEST_SUITE(Couplings, TypesOf<Coupling>::type);
 
 /// Scenes of one or two pairs and three or four masses, depths 0 to 3.

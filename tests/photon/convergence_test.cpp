@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "photon/integrator.h"
+#include "support/list_types.h"
 
 namespace portalens::test {
 namespace {
@@ -43,6 +44,21 @@ double order(double coarsest) {
 TEST(Convergence, EulerIsOfFirstOrder) { EXPECT_NEAR(order<Euler>(1.0 / 32), 1.0, 0.1); }
 TEST(Convergence, RungeKuttaIsOfFourthOrder) { EXPECT_NEAR(order<Rk4>(1.0 / 4), 4.0, 0.2); }
 TEST(Convergence, RadauIsOfFourthOrder) { EXPECT_NEAR(order<Radau>(1.0), 4.0, 0.3); }
+
+template <class I>
+class EachIntegrator : public testing::Test {};
+TYPED_TEST_SUITE(EachIntegrator, TypesOf<Integrator>::type);
+
+TYPED_TEST(EachIntegrator, IsOfSomeOrder) { EXPECT_GE(order<TypeParam>(1.0 / 8), 0.9); }
+
+TYPED_TEST(EachIntegrator, KeepsDirectionsUnitAndFreeWaysStraight) {
+  EXPECT_NEAR(length(walk<TypeParam>(1.0 / 8, 16.0).direction), 1.0, 1e-14);
+  const State start{{1, 2, 3}, normalize(Vec3d{3, -1, 2})};
+  const auto free = [](Vec3d) { return Vec3d{}; };
+  const State end = TypeParam::step(free, start, {}, 5.0).end;
+  EXPECT_LT(length(end.position - start.position - start.direction * 5.0), 1e-14);
+  EXPECT_LT(length(end.direction - start.direction), 1e-15);
+}
 
 }  // namespace
 }  // namespace portalens::test
