@@ -1,41 +1,24 @@
 // Paths of photons as glTF 2.0 (Khronos Group; ISO/IEC 12113:2022): one file, its buffer inside as
 // base64. Positions and colours are floats, colours linear, as the format has them.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstring>
-#include <iterator>
-#include <limits>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <string_view>
+#include <utility>
 
 #include "io/polylines.h"
 
 namespace portalens {
 namespace {
 
+using Json = nlohmann::ordered_json;
 using Triple = std::array<float, 3>;
 
 Triple floats(Vec3d v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
-
-/// A JSON string: control characters and quotes escaped, bytes beyond ASCII replaced.
-std::string json_string(std::string_view text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\')
-      result += std::string("\\") + c;
-    else if (byte < 0x20 || byte >= 0x7f)
-      result += fmt::format("\\u{:04x}", byte < 0x20 ? byte : 0xfffd);
-    else
-      result += c;
-  }
-  return result + '"';
 }
 
 std::string base64(std::string_view bytes) {
@@ -62,51 +45,55 @@ struct Solid {
 /// Puts a document together, piece by piece.
 class Document {
  public:
-  void add_lines(const std::string& name, const Solid& solid) { add(name, solid, 1, ""); }
+  void add_lines(const std::string& name, const Solid& solid) { add(name, solid, {{"mode", 1}}); }
 
   void add_triangles(const std::string& name, const Solid& solid, Rgb color, double opacity) {
-    materials_.push_back(fmt::format(
-        R"({{"name":{},"doubleSided":true,"alphaMode":"{}","pbrMetallicRoughness":)"
-        R"({{"baseColorFactor":[{},{},{},{}],"metallicFactor":0,"roughnessFactor":1}}}})",
-        json_string(name), opacity < 1.0 ? "BLEND" : "OPAQUE", std::clamp(color.x, 0.0, 1.0),
-        std::clamp(color.y, 0.0, 1.0), std::clamp(color.z, 0.0, 1.0), opacity));
-    add(name, solid, 4, fmt::format(R"(,"material":{})", materials_.size() - 1));
+    const auto share = [](double channel) { return std::clamp(channel, 0.0, 1.0); };
+    const std::size_t material =
+        append("materials",
+               {{"name", name},
+                {"doubleSided", true},
+                {"alphaMode", opacity < 1.0 ? "BLEND" : "OPAQUE"},
+                {"pbrMetallicRoughness",
+                 {{"baseColorFactor", {share(color.x), share(color.y), share(color.z), opacity}},
+                  {"metallicFactor", 0},
+                  {"roughnessFactor", 1}}}});
+    add(name, solid, {{"mode", 4}, {"material", material}});
   }
 
-  [[nodiscard]] std::string text() const {
-    std::string roots;
-    for (std::size_t i = 0; i < nodes_.size(); ++i)
-      roots += (i == 0 ? "" : ",") + std::to_string(i);
-    std::string json = R"({"asset":{"version":"2.0","generator":"portalens"})";
-    if (nodes_.empty()) return json + "}\n";
-    json += R"(,"scene":0,"scenes":[{"nodes":[)" + roots + "]}]";
-    json += list("nodes", nodes_) + list("meshes", meshes_) + list("materials", materials_) +
-            list("accessors", accessors_) + list("bufferViews", views_);
-    return json + fmt::format(R"(,"buffers":[{{"byteLength":{},"uri":)"
-                              R"("data:application/octet-stream;base64,{}"}}]}})"
-                              "\n",
-                              bytes_.size(), base64(bytes_));
+  [[nodiscard]] std::string text() && {
+    if (!bytes_.empty())
+      append("buffers", {{"byteLength", bytes_.size()},
+                         {"uri", "data:application/octet-stream;base64," + base64(bytes_)}});
+    // Names need not be UTF-8.
+    return root_.dump(-1, ' ', true, Json::error_handler_t::replace) + '\n';
   }
 
  private:
-  static std::string list(const char* key, const std::vector<std::string>& items) {
-    return items.empty() ? std::string{} : fmt::format(R"(,"{}":[{}])", key, fmt::join(items, ","));
+  /// Lists that are empty may not stand in a file.
+  std::size_t append(const char* list, Json item) {
+    root_[list].push_back(std::move(item));
+    return root_[list].size() - 1;
   }
 
   /// Appends numbers of four bytes, little-endian; the index of their view.
   template <class Number>
   std::size_t view(const Number* numbers, std::size_t count, int target) {
-    views_.push_back(fmt::format(R"({{"buffer":0,"byteOffset":{},"byteLength":{},"target":{}}})",
-                                 bytes_.size(), 4 * count, target));
+    const std::size_t begin = bytes_.size();
     for (std::size_t i = 0; i < count; ++i) {
       const auto bits = std::bit_cast<std::uint32_t>(numbers[i]);
       for (int shift = 0; shift < 32; shift += 8) bytes_ += static_cast<char>(bits >> shift & 0xff);
     }
-    return views_.size() - 1;
+    return append(
+        "bufferViews",
+        {{"buffer", 0}, {"byteOffset", begin}, {"byteLength", 4 * count}, {"target", target}});
   }
 
   std::size_t triples(const std::vector<Triple>& values, bool with_bounds) {
-    std::string bounds;
+    Json accessor = {{"bufferView", view(values.front().data(), 3 * values.size(), 34962)},
+                     {"componentType", 5126},
+                     {"count", values.size()},
+                     {"type", "VEC3"}};
     if (with_bounds) {
       Triple low = values.front(), high = values.front();
       for (const Triple& value : values)
@@ -114,34 +101,30 @@ class Document {
           low[c] = std::min(low[c], value[c]);
           high[c] = std::max(high[c], value[c]);
         }
-      // As doubles: their digits give back the very float.
-      const std::vector<double> least(low.begin(), low.end()), most(high.begin(), high.end());
-      bounds =
-          fmt::format(R"(,"min":[{}],"max":[{}])", fmt::join(least, ","), fmt::join(most, ","));
+      accessor["min"] = low;
+      accessor["max"] = high;
     }
-    const std::size_t at = view(values.front().data(), 3 * values.size(), 34962);
-    accessors_.push_back(
-        fmt::format(R"({{"bufferView":{},"componentType":5126,"count":{},"type":"VEC3"{}}})", at,
-                    values.size(), bounds));
-    return accessors_.size() - 1;
+    return append("accessors", std::move(accessor));
   }
 
-  void add(const std::string& name, const Solid& solid, int mode, const std::string& more) {
-    std::string attributes = fmt::format(R"("POSITION":{})", triples(solid.positions, true));
-    if (!solid.colors.empty())
-      attributes += fmt::format(R"(,"COLOR_0":{})", triples(solid.colors, false));
-    const std::size_t at = view(solid.indices.data(), solid.indices.size(), 34963);
-    accessors_.push_back(
-        fmt::format(R"({{"bufferView":{},"componentType":5125,"count":{},"type":"SCALAR"}})", at,
-                    solid.indices.size()));
-    meshes_.push_back(fmt::format(
-        R"({{"name":{},"primitives":[{{"attributes":{{{}}},"indices":{},"mode":{}{}}}]}})",
-        json_string(name), attributes, accessors_.size() - 1, mode, more));
-    nodes_.push_back(
-        fmt::format(R"({{"name":{},"mesh":{}}})", json_string(name), meshes_.size() - 1));
+  /// @param primitive  what is to be said besides its attributes
+  void add(const std::string& name, const Solid& solid, Json primitive) {
+    primitive["attributes"]["POSITION"] = triples(solid.positions, true);
+    if (!solid.colors.empty()) primitive["attributes"]["COLOR_0"] = triples(solid.colors, false);
+    const std::size_t count = solid.indices.size();
+    primitive["indices"] =
+        append("accessors", {{"bufferView", view(solid.indices.data(), count, 34963)},
+                             {"componentType", 5125},
+                             {"count", count},
+                             {"type", "SCALAR"}});
+    const std::size_t mesh =
+        append("meshes", {{"name", name}, {"primitives", Json::array({std::move(primitive)})}});
+    const std::size_t node = append("nodes", {{"name", name}, {"mesh", mesh}});
+    root_["scene"] = 0;
+    root_["scenes"][0]["nodes"].push_back(node);
   }
 
-  std::vector<std::string> nodes_, meshes_, materials_, accessors_, views_;
+  Json root_ = {{"asset", {{"version", "2.0"}, {"generator", "portalens"}}}};
   std::string bytes_;
 };
 
@@ -211,7 +194,7 @@ std::string paths_as_gltf(const PathPicture& picture) {
     if (body.vertices.size() >= 3) document.add_triangles(body.name, fan(body), body.color, 0.5);
   for (const RoundBody& body : picture.balls)
     document.add_triangles(body.name, globe(body), body.color, 1.0);
-  return document.text();
+  return std::move(document).text();
 }
 
 }  // namespace portalens
