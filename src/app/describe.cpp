@@ -46,6 +46,7 @@ Json masses_json(const Space& space) {
                       {"mass", mass.gm / space.physics.G},
                       {"center", to_json(mass.center)},
                       {"schwarzschild_radius", schwarzschild_radius(mass.gm, space.physics.c)},
+                      {"horizon_radius", mass.has_horizon() ? Json(mass.horizon_radius) : Json()},
                       {"influence_radius", finite_or_null(mass.influence)},
                       {"core_radius", mass.core},
                       {"horizon", mass.horizon}});
@@ -118,6 +119,7 @@ Json physics_json(const Space& space) {
   return {{"G", physics.G},
           {"c", physics.c},
           {"min_force", physics.min_force},
+          {"law", physics.law},
           {"integrator", physics.integrator},
           {"tolerance", physics.tolerance},
           {"step", physics.step},
@@ -140,10 +142,13 @@ std::string kinds_text(const std::vector<Body>& bodies) {
   return text.empty() ? "none" : text;
 }
 
-std::string mass_text(const Mass& mass, double G) {
+std::string mass_text(const Mass& mass, const Physics& physics) {
+  const double schwarzschild = schwarzschild_radius(mass.gm, physics.c);
   std::string text =
-      fmt::format("  {}: M = {:.6g} at {}, r_s = {:.6g}, R = {:.6g}", mass.name, mass.gm / G,
-                  place(mass.center), mass.horizon_radius, mass.influence);
+      fmt::format("  {}: M = {:.6g} at {}, r_s = {:.6g}, R = {:.6g}", mass.name,
+                  mass.gm / physics.G, place(mass.center), schwarzschild, mass.influence);
+  if (mass.has_horizon() && mass.horizon_radius != schwarzschild)
+    text += fmt::format(", light ends at {:.6g}", mass.horizon_radius);
   if (mass.core > 0.0) text += fmt::format(", core {:.6g}", mass.core);
   return text + (mass.horizon ? "\n" : ", no horizon\n");
 }
@@ -189,8 +194,8 @@ std::string camera_text(const Camera& camera) {
 std::string physics_text(const Space& space) {
   const Physics& p = space.physics;
   std::string text =
-      fmt::format("G = {:g}, c = {:g}, min_force = {:g}; {} ({} {:g})", p.G, p.c, p.min_force,
-                  p.integrator, p.integrator == "adaptive" ? "tolerance" : "step",
+      fmt::format("{}, G = {:g}, c = {:g}, min_force = {:g}; {} ({} {:g})", p.law, p.G, p.c,
+                  p.min_force, p.integrator, p.integrator == "adaptive" ? "tolerance" : "step",
                   p.integrator == "adaptive" ? p.tolerance : p.step);
   return text;
 }
@@ -273,7 +278,7 @@ std::string describe_text(const Scene& scene, const World& world) {
   if (!space.portals.empty()) line("gravity", "through portals: " + gravity_text(space));
   line("objects", kinds_text(world.appearance.bodies));
   text += listed("masses", std::span<const Mass>(space.masses),
-                 [&](const Mass& mass) { return mass_text(mass, space.physics.G); });
+                 [&](const Mass& mass) { return mass_text(mass, space.physics); });
   text += listed("portals", space.portals.portals(),
                  [&](const Portal& portal) { return portal_text(world, portal); });
   text += listed("lights", std::span<const Light>(world.appearance.lights),

@@ -41,6 +41,10 @@ Json field_json(const Space& space, const FieldReport& report) {
   }
   return {{"position", to_json(report.position)},
           {"acceleration", to_json(report.total)},
+          {"law", space.physics.law},
+          {"w", report.potential},
+          {"h", report.weight},
+          {"pull", to_json(report.pull)},
           {"portal_gravity", space.physics.portal_gravity},
           {"portal_gravity_depth", space.physics.portal_gravity_depth},
           {"direct", direct},
@@ -50,6 +54,8 @@ Json field_json(const Space& space, const FieldReport& report) {
 std::string field_text(const Space& space, const FieldReport& report) {
   std::string text = fmt::format("field at {}: {:.9g}, {}\n", place(report.position),
                                  length(report.total), place(report.total));
+  text += fmt::format("law {}: w = {:.9g}, h = {:.9g}; light feels {:.9g}, {}\n", space.physics.law,
+                      report.potential, report.weight, length(report.pull), place(report.pull));
   text += "directly:\n";
   for (const DirectPart& part : report.direct)
     text += line(space.masses[part.mass].name, part.acceleration,

@@ -168,6 +168,7 @@ Metadata world_metadata(const World& world, const RenderOptions& options) {
       {"portalens:G", fmt::format("{}", physics.G)},
       {"portalens:c", fmt::format("{}", physics.c)},
       {"portalens:min_force", fmt::format("{}", physics.min_force)},
+      {"portalens:law", physics.law},
       {"portalens:integrator", physics.integrator},
       {physics.integrator == "adaptive" ? "portalens:tolerance" : "portalens:step",
        fmt::format("{}", physics.integrator == "adaptive" ? physics.tolerance : physics.step)},

@@ -83,8 +83,19 @@ struct BendingOf {
   Real stiffness{};           ///< Σ w m / d⁵ with w = path_weight, 1/length⁴
   Real nearness{};            ///< Σ v / d⁴ with v = approach_weight, 1/length⁴
   Real gradient{};            ///< Σ 2 m / d³, of the acceleration, 1/length²
+  Real sinking{};             ///< 1 where light is lost (`sinks`), else 0
 };
 using Bending = BendingOf<double>;
+
+/// Where light falls to a mass so deep that it never returns, under laws that let it come there:
+/// about one mass where h m/d > 4/3 and it goes inwards (light circles it at 1; the rest is for
+/// others beside it). There n r grows inwards, and the errors of a path shrink (Bouguer).
+/// @param bending  without the change of the weight
+template <class Real>
+[[nodiscard]] auto sinks(const BendingOf<Real>& bending, Vec3<Real> direction) {
+  const Vec3<Real> a = bending.acceleration;
+  return (dot(a, a) * Real(1.5) > bending.gradient) & (dot(a, direction) > Real(0));
+}
 
 /// Adds what a mass does to a path: nothing where `m` is 0.
 /// @param q      d² of the path to it, with its core; `along` that way's part along the path of

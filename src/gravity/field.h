@@ -67,6 +67,7 @@ class Field {
       const double w = potential(x, frozen, through), weight = W::weight(w);
       Bending sum = direct(x, t, frozen, weight);
       if (looks_through) add(through, weight, sum);
+      sum.sinking = sinks(sum, t) ? 1.0 : 0.0;
       // The weight changes, too: ∇h = h' ∇w.
       const double square = dot(sum.acceleration, sum.acceleration) / (weight * weight);
       sum.gradient += std::fabs(W::weight_slope(w)) * square;

@@ -45,6 +45,7 @@ LawConstants constants() {
   found.greatest_potential = std::numeric_limits<double>::infinity();
   if constexpr (requires { L::greatest_potential; })
     found.greatest_potential = L::greatest_potential;
+  found.bare_masses = L::bare_masses;
   found.light_sphere = 1.0 / potential_of_light_sphere<L>();
   return found;
 }
@@ -72,13 +73,16 @@ LawConstants constants_of(const Law& law) {
 }
 
 void set_horizons(const Law& law, std::span<Mass> masses, double c) {
-  std::visit(
-      [&](const auto& one) {
-        for (Mass& mass : masses)
-          mass.horizon_radius = one.horizon_radius(
-              gravitational_radius(mass.gm, c), one.uniform ? 0.0 : potential_at(mass, masses, c));
-      },
-      law);
+  const auto set = [&](const auto& one) {
+    for (Mass& mass : masses) {
+      mass.horizon_radius = one.horizon_radius(gravitational_radius(mass.gm, c),
+                                               one.uniform ? 0.0 : potential_at(mass, masses, c));
+      // Only what acts counts to w.
+      if constexpr (requires { one.greatest_potential; })
+        mass.horizon_radius = std::fmin(mass.horizon_radius, mass.influence);
+    }
+  };
+  std::visit(set, law);
 }
 
 }  // namespace portalens

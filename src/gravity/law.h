@@ -29,13 +29,16 @@
 #include <type_traits>
 #include <variant>
 
+#include "gravity/einstein_law.h"
+#include "gravity/extreme_law.h"
 #include "gravity/newton_law.h"
+#include "gravity/schwarzschild_law.h"
 
 namespace portalens {
 
 struct Mass;
 
-using Law = std::variant<NewtonLaw>;
+using Law = std::variant<NewtonLaw, EinsteinLaw, SchwarzschildLaw, ExtremeLaw>;
 
 /// The names of all laws, in the order of the list.
 [[nodiscard]] std::span<const std::string_view> law_names();
@@ -44,11 +47,12 @@ using Law = std::variant<NewtonLaw>;
 /// @pre `name` is one of `law_names()`
 [[nodiscard]] Law make_law(std::string_view name);
 
-/// What is the same at all places.
+/// What of a law is the same at all places.
 struct LawConstants {
   bool uniform = true;
   double far_weight = 1.0;          ///< h(0): far from all masses
   double greatest_potential = 0.0;  ///< infinite where horizons are balls
+  bool bare_masses = true;
   /// At that many m from one mass light circles it, and what comes nearer falls in: h(w) w = 1.
   double light_sphere = 1.0;
 

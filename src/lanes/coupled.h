@@ -15,6 +15,7 @@ namespace portalens {
 /// where `acting` is where anything acts.
 template <class R, class Through>
 struct LaneCoupled {
+  using Weight = UniformWeight;
   LaneMasses<R> direct;
   Through through;
   typename R::Mask acting;

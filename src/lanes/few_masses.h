@@ -9,8 +9,10 @@
 namespace portalens {
 
 /// The decisions of one step.
-template <class R>
+/// @tparam W  the `Weighing` of the law
+template <class R, class W = UniformWeight>
 struct LaneMasses {
+  using Weight = W;
   const LaneScene& scene;
   R inside[max_lane_masses];  ///< G M / c² where the influence holds, else 0
   /// Of each mass, from the step's start: square of its distance, and how far ahead it is.
@@ -46,22 +48,62 @@ struct LaneMasses {
   [[nodiscard]] R ahead(int mass) const { return along[mass]; }
 
   /// What a step of the direction `t` is chosen from, and its first acceleration.
-  [[nodiscard]] BendingOf<R> bending(Vec3<R> x, Vec3<R>) const {
-    BendingOf<R> sum{{R(0), R(0), R(0)}, R(0), R(0), R(0)};
-    for (int i = 0; i < scene.mass_count; ++i) {
-      const LaneMass& mass = scene.masses[i];
-      add_bending(sum, mass, spread<R>(mass.center) - x, squares[i], along[i], inside[i]);
+  [[nodiscard]] BendingOf<R> bending(Vec3<R> x, [[maybe_unused]] Vec3<R> t) const {
+    BendingOf<R> sum{{R(0), R(0), R(0)}, R(0), R(0), R(0), R(0)};
+    if constexpr (W::uniform) {
+      for (int i = 0; i < scene.mass_count; ++i) {
+        const LaneMass& mass = scene.masses[i];
+        add_bending(sum, mass, spread<R>(mass.center) - x, squares[i], along[i], inside[i]);
+      }
+    } else {
+      const R w = potential(x), weight = W::weight(w);
+      for (int i = 0; i < scene.mass_count; ++i) {
+        const LaneMass& mass = scene.masses[i];
+        add_weighted_bending(sum, mass, spread<R>(mass.center) - x, squares[i], along[i], inside[i],
+                             weight);
+      }
+      sum.sinking = select(sinks(sum, t), R(1), R(0));
+      // The weight changes, too: ∇h = h' ∇w.
+      const R share = dot(sum.acceleration, sum.acceleration) / (weight * weight);
+      sum.gradient = multiply_add(abs(W::weight_slope(w)), share, sum.gradient);
     }
     return sum;
   }
 
   [[nodiscard]] Vec3<R> acceleration(Vec3<R> x) const {
     Vec3<R> sum{R(0), R(0), R(0)};
+    R w(0);
     for (int i = 0; i < scene.mass_count; ++i) {
       const LaneMass& mass = scene.masses[i];
-      add_pull(sum, mass, spread<R>(mass.center) - x, inside[i]);
+      const R found = add_pull(sum, mass, spread<R>(mass.center) - x, inside[i]);
+      if constexpr (!W::uniform) w = w + found;
     }
+    if constexpr (!W::uniform) sum = sum * W::weight(w);
     return sum;
+  }
+
+  /// w, Σ m/d over the masses that act.
+  [[nodiscard]] R potential(Vec3<R> x) const {
+    R w(0);
+    for (int i = 0; i < scene.mass_count; ++i) w = w + part_of_potential(x, i);
+    return w;
+  }
+  /// The mass that counts for most in it.
+  [[nodiscard]] R deepest(Vec3<R> x) const {
+    R most(0), which(0);
+    for (int i = 0; i < scene.mass_count; ++i) {
+      const R part = part_of_potential(x, i);
+      which = select(part > most, R(object_of(i)), which);
+      most = max(part, most);
+    }
+    return which;
+  }
+  /// How much w grows with a displacement by that.
+  [[nodiscard]] R potential_slope(Vec3<R> x, Vec3<R> by) const {
+    Vec3<R> sum{R(0), R(0), R(0)};
+    for (int i = 0; i < scene.mass_count; ++i)
+      (void)add_pull(sum, scene.masses[i], spread<R>(scene.masses[i].center) - x, inside[i]);
+    return dot(sum, by);
   }
 
   /// Arc length along the parabola x + t s + bend s²/2 to the next place where a decision changes,
@@ -111,6 +153,11 @@ struct LaneMasses {
   static constexpr bool may_lack_room = false;
 
  private:
+  [[nodiscard]] R part_of_potential(Vec3<R> x, int i) const {
+    const Vec3<R> to_mass = spread<R>(scene.masses[i].center) - x;
+    return inside[i] * inverse_sqrt(dot(to_mass, to_mass) + R(scene.masses[i].core2));
+  }
+
   /// False only where the path stays within the influence of a mass, or out of it.
   [[nodiscard]] typename R::Mask may_pass_border(const LanePath<R>& path, int i) const {
     const auto within = inside[i] > R(0);

@@ -13,6 +13,7 @@ namespace portalens {
 /// of that lane, so nothing depends on who travels beside it.
 template <class R>
 struct LaneManyMassesField {
+  using Weight = UniformWeight;
   const LaneScene& scene;
   const LaneManyMasses& many;
   int count = 0;                        ///< of the masses that act or absorb where a lane is
@@ -59,7 +60,7 @@ struct LaneManyMassesField {
   [[nodiscard]] R ahead(int mass) const { return along[mass]; }
 
   [[nodiscard]] BendingOf<R> bending(Vec3<R> x, Vec3<R>) const {
-    BendingOf<R> sum{{R(0), R(0), R(0)}, R(0), R(0), R(0)};
+    BendingOf<R> sum{{R(0), R(0), R(0)}, R(0), R(0), R(0), R(0)};
     for (int i = 0; i < count; ++i)
       add_bending(sum, mass(i), spread<R>(mass(i).center) - x, squares[i], along[i], inside[i]);
     return sum;
@@ -68,7 +69,7 @@ struct LaneManyMassesField {
   [[nodiscard]] Vec3<R> acceleration(Vec3<R> x) const {
     Vec3<R> sum{R(0), R(0), R(0)};
     for (int i = 0; i < count; ++i)
-      add_pull(sum, mass(i), spread<R>(mass(i).center) - x, inside[i]);
+      (void)add_pull(sum, mass(i), spread<R>(mass(i).center) - x, inside[i]);
     return sum;
   }
 

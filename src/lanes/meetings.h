@@ -58,6 +58,16 @@ class LaneMeetings {
     }
   }
 
+  /// Where w comes to the greatest: no path leads out of there again.
+  template <class F>
+  void find_depth(const LanePath<R>& path, const F& field, LaneFinding<R>& found) const {
+    const Mask falls =
+        field.acting & (field.potential(path.end.position) >= R(F::Weight::greatest_potential));
+    if (!any(falls)) return;
+    const R u = crossing(falls, Depth<F>{field, path}, R(1), R(1), R(0), R(1));
+    found.offer(falls, u, LaneEvent::horizon, field.deepest(path.place.at(u)));
+  }
+
   void find_portals(const LanePath<R>& path, LaneFinding<R>& found) const {
     const R departed = pack_.read(&Lanes::departed), side = pack_.read(&Lanes::departed_side);
     const bool leaves = any(departed <= R(first_departed_plane));
@@ -168,6 +178,21 @@ class LaneMeetings {
   }
 
  private:
+  /// How far over the surface where light ends: as 1/w, that is nearly the distance.
+  template <class F>
+  struct Depth {
+    const F& field;
+    const LanePath<R>& path;
+
+    [[nodiscard]] R at(R u) const {
+      return R(1) / field.potential(path.place.at(u)) - R(1.0 / F::Weight::greatest_potential);
+    }
+    [[nodiscard]] R slope(R u) const {
+      const R w = field.potential(path.place.at(u));
+      return -field.potential_slope(path.place.at(u), path.place.slope(u)) / (w * w);
+    }
+  };
+
   /// Finite even where v is 0: what lies between two planes there is all or nothing.
   [[nodiscard]] static R inverse_of(R v) { return R(1) / select(abs(v) > R(1e-20), v, R(1e-20)); }
 

@@ -67,7 +67,8 @@ LaneMass lane_mass(const Space& space, const Mass& mass, Vec3d center) {
   lane.core2 = static_cast<float>(std::max(mass.core * mass.core, least_core2));
   lane.influence = static_cast<float>(mass.influence);
   lane.influence2 = lane.influence * lane.influence;
-  lane.horizon = mass.has_horizon() ? static_cast<float>(mass.horizon_radius) : -1.0f;
+  const bool ball = mass.has_horizon() && std::isinf(space.medium.greatest_potential);
+  lane.horizon = ball ? static_cast<float>(mass.horizon_radius) : -1.0f;
   lane.horizon2 = lane.horizon * lane.horizon;
   lane.bare2 = mass.has_horizon() ? 0.0f : bare2_of(lane.gm, lane.core2);
   return lane;
@@ -329,6 +330,23 @@ std::string physics_refusal(const Space& space) {
   return "";
 }
 
+/// What of a law that is not uniform lanes don't do.
+std::string law_refusal(const Space& space, const LaneScene& scene) {
+  if (space.medium.uniform) return "";
+  const std::string law = fmt::format("physics.law is {}", in_quotes(space.physics.law));
+  const auto distance_to_support = [&](const auto& coupling) {
+    return coupling.distance_to_support(Vec3d{});
+  };
+  if (!std::isinf(std::visit(distance_to_support, space.coupling)))
+    return law +
+           " and masses act through portals (lanes take that law with physics.portal_gravity = "
+           "\"none\", or the laws \"newton\" and \"einstein\")";
+  if (scene.many.count > 0)
+    return fmt::format("{} and {} masses act (lanes take {} under that law)", law, scene.many.count,
+                       max_lane_masses);
+  return "";
+}
+
 /// How far past a border a step ends: so far that floats know it from the border, but no further
 /// than what the pull that begins or ends there turns a path by meanwhile is nothing beside the
 /// tolerance.
@@ -374,10 +392,12 @@ std::string lay_out(const Space& space, LanePlan& plan) {
   if (std::string why = portal_refusal(space); !why.empty()) return why;
   LaneScene& scene = plan.scene;
   scene.graze2 = static_cast<float>(graze * graze);
+  scene.law = static_cast<int>(space.law.index());
   add_masses(space, plan);
   add_isolated_masses(space, plan);
   add_portals(space, plan.center, scene);
   if (std::string why = add_coupling(space, plan); !why.empty()) return why;
+  if (std::string why = law_refusal(space, scene); !why.empty()) return why;
   const bool looks_through = scene.gate_count + scene.map_count + scene.way_count > 0;
   if (looks_through && scene.many.count > 0)
     return fmt::format("through portals {} masses act (lanes take {})", scene.many.count,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "gravity/attraction.h"
+#include "gravity/law.h"
 #include "lanes/rectangle.h"
 #include "lanes/scene.h"
 #include "math/multiply_add.h"
@@ -18,11 +19,21 @@ void add_bending(BendingOf<R>& sum, const LaneMass& mass, Vec3<R> to_mass, R squ
   add_bending(sum, to_mass, square + R(mass.core2), along, m, R(mass.gm * mass.gm));
 }
 
-/// Adds its acceleration of what is `to_mass` from it.
+/// The same of one that counts `weight` times.
 template <class R>
-void add_pull(Vec3<R>& sum, const LaneMass& mass, Vec3<R> to_mass, R m) {
+void add_weighted_bending(BendingOf<R>& sum, const LaneMass& mass, Vec3<R> to_mass, R square,
+                          R along, R m, R weight) {
+  const R own = R(mass.gm) * weight;
+  add_bending(sum, to_mass, square + R(mass.core2), along, m * weight, own * own);
+}
+
+/// Adds its acceleration of what is `to_mass` from it, and tells its m/d there.
+template <class R>
+R add_pull(Vec3<R>& sum, const LaneMass& mass, Vec3<R> to_mass, R m) {
   const R q = dot(to_mass, to_mass) + R(mass.core2);
-  sum = multiply_add(to_mass, MassPull<R>::of(q, m).pull, sum);
+  const MassPull<R> pull = MassPull<R>::of(q, m);
+  sum = multiply_add(to_mass, pull.pull, sum);
+  return m * pull.inverse;
 }
 
 }  // namespace portalens

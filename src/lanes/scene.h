@@ -199,6 +199,7 @@ struct LaneBox {
 };
 
 struct LaneScene {
+  int law;            ///< its place in the list, of laws that are not uniform
   bool fading;        ///< some gate has a mass that fades, or falls short
   bool bare_through;  ///< some gate or path has a `bare2`
   int mass_count, gate_count, map_count, entrance_count, way_count, portal_count, outline_count,

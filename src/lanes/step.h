@@ -43,7 +43,7 @@ class LaneStepper {
     if constexpr (F::foresees_planes) mend_length(reach, judgement.smooth() & !flies, path);
 
     Course course;
-    course.resigns = live & must_resign(field, x, reach.most, flies);
+    course.resigns = live & must_resign(field, start, x, reach.most, flies);
     LaneFinding<R> found = meet(here, path, field, flies, isolated, course);
     settle(path, field, live, flies, judgement, found, course);
     course.escapes = live & flies & (reach.border.at >= R(never)) & !(found.share <= R(1)) &
@@ -58,6 +58,8 @@ class LaneStepper {
     typename LanePack<R>::Move move = to_end(here, path, found.share, course.ends);
     move.clear = course.clear;
     move.gradient = start.gradient;
+    if constexpr (!F::Weight::uniform)
+      move.gradient = select(start.sinking > R(0), R(0), move.gradient);
     move.error = R(scene_.tolerance) * select(flies, R(0), judgement.error);
     R crossed(0);
     const bool crosses = has_isolated() && any(isolated.enters);
@@ -157,10 +159,12 @@ class LaneStepper {
     if (any(mends)) path.stretch(mends, R(1) + more / h);
   }
 
-  [[nodiscard]] Mask must_resign(const F& field, V x, R most, Mask flies) const {
+  [[nodiscard]] Mask must_resign(const F& field, const BendingOf<R>& start, V x, R most,
+                                 Mask flies) const {
     const Mask winds = pack_.read(&Lanes::steps) > R(max_lane_steps);
     // Steps as short as borders are found exactly have no place here.
-    const Mask crawls = (most < R(4) * R(scene_.overshoot)) & !flies;
+    Mask crawls = (most < R(4) * R(scene_.overshoot)) & !flies;
+    if constexpr (!F::Weight::uniform) crawls = crawls & !(start.sinking > R(0));
     return winds | field.too_near(x) | crawls;
   }
 
@@ -178,6 +182,8 @@ class LaneStepper {
     LaneFinding<R> found;
     const LaneMeetings<R> meetings(scene_, pack_);
     meetings.find_horizons(path, field, found, course.resigns);
+    if constexpr (requires { F::Weight::greatest_potential; })
+      meetings.find_depth(path, field, found);
     meetings.find_portals(path, found);
     meetings.find_polygons(path, found, doubtful);
     meetings.find_spheres(path, found);
@@ -292,6 +298,19 @@ template <class R, class F>
   return events;
 }
 
+/// By the law that bends light about few masses.
+template <class R, class... Laws>
+std::uint32_t step_by_law(const LaneScene& scene, Lanes& lanes, const std::variant<Laws...>*) {
+  std::uint32_t events = 0;
+  int law = 0;
+  static_cast<void>(
+      ((scene.law == law++
+            ? (events = step_lanes_in<R, LaneMasses<R, Weighing<Laws>>>(scene, lanes), true)
+            : false) ||
+       ...));
+  return events;
+}
+
 template <class R>
 std::uint32_t step_lanes(const LaneScene& scene, Lanes& lanes) {
   if (scene.map_count > 0)
@@ -303,7 +322,7 @@ std::uint32_t step_lanes(const LaneScene& scene, Lanes& lanes) {
   if (scene.gate_count > 0)
     return step_lanes_in<R, LaneCoupled<R, LaneGates<R, LaneNearest<R>>>>(scene, lanes);
   if (scene.many.count > 0) return step_lanes_in<R, LaneManyMassesField<R>>(scene, lanes);
-  return step_lanes_in<R, LaneMasses<R>>(scene, lanes);
+  return step_by_law<R>(scene, lanes, static_cast<const Law*>(nullptr));
 }
 
 }  // namespace portalens

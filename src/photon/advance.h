@@ -229,7 +229,7 @@ class Tracer {
         curve = try_step(h);
         roughness = roughness_of(h);
       }
-      ray_state_.drift.pass(h, bending_.gradient, tolerance_ * roughness);
+      ray_state_.drift.pass(h, drift_gradient(), tolerance_ * roughness);
       rough = roughness > I::smooth;
     }
     // Where a pull has no bound. Nothing is met on a path that is no number.
@@ -253,6 +253,13 @@ class Tracer {
     bending_ = end_bending_;
     restless_ = I::fixed_step || changed_ || bending_.nearness == 0.0;
     return false;
+  }
+
+  /// By which errors grow.
+  [[nodiscard]] double drift_gradient() const {
+    if constexpr (!W::uniform)
+      if (bending_.sinking > 0.0) return 0.0;
+    return bending_.gradient;
   }
 
   /// Of the step that was tried last.

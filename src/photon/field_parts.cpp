@@ -19,6 +19,15 @@ Vec3d pull_of(const Mass& mass, Vec3d x) {
   return attraction(mass.center - x, mass.gm, mass.core * mass.core);
 }
 
+/// w at x: of the masses that act, and of what comes through portals.
+double potential_at(const Space& space, Vec3d x) {
+  double sum = std::visit([&](const auto& coupling) { return coupling.pull(x, x).potential; },
+                          space.coupling);
+  for (const Mass& mass : space.masses)
+    if (acts(mass, x)) sum += mass.potential(x);
+  return sum / (space.physics.c * space.physics.c);
+}
+
 }  // namespace
 
 Vec3d field_at(const Space& space, Vec3d x) {
@@ -33,6 +42,10 @@ FieldReport report_field(const Space& space, Vec3d x) {
   FieldReport report;
   report.position = x;
   report.total = field_at(space, x);
+  report.potential = potential_at(space, x);
+  report.weight =
+      std::visit([&](const auto& law) { return law.weight(report.potential); }, space.law);
+  report.pull = report.total * report.weight;
   for (std::uint32_t i = 0; i < space.masses.size(); ++i) {
     const Mass& mass = space.masses[i];
     if (acts(mass, x)) report.direct.push_back({i, pull_of(mass, x), length(mass.center - x)});

@@ -20,6 +20,9 @@ struct DirectPart {
 /// Accelerations in length/time².
 struct FieldReport {
   Vec3d position, total;
+  double potential = 0.0;          ///< w, of which the law's weight h follows
+  double weight = 1.0;             ///< h
+  Vec3d pull;                      ///< what light feels: h times the total
   std::vector<DirectPart> direct;  ///< of masses within whose influence the point lies
   std::vector<PullPart> through;   ///< of the coupling
 };

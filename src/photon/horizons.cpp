@@ -1,5 +1,9 @@
 #include "photon/horizons.h"
 
+#include <cmath>
+
+#include "gravity/attraction.h"
+
 namespace portalens {
 namespace {
 
@@ -42,10 +46,58 @@ bool surely_misses(const Mass& mass, const Curve& curve) {
   return dot(d, d) > least * least;
 }
 
+/// Σ m/d of the masses that act directly at a place, and which of them counts for most.
+struct Depth {
+  double potential = 0.0, most = 0.0;
+  std::uint32_t deepest = 0;
+
+  Depth(const Space& space, std::span<const std::uint32_t> near, Vec3d x) {
+    const double c2 = space.physics.c * space.physics.c;
+    for (const std::uint32_t i : near) {
+      const Mass& mass = space.masses[i];
+      if (!mass.reaches(x)) continue;
+      const double w = mass.potential(x) / c2;
+      potential += w;
+      if (w > most) most = w, deepest = i;
+    }
+  }
+};
+
+/// As of one horizon, of the surface where w is the greatest.
+std::optional<HorizonContact> deepest_contact(const Space& space,
+                                              std::span<const std::uint32_t> near,
+                                              const Curve& curve) {
+  const double h = curve.length(), limit = space.medium.greatest_potential;
+  const auto depth = [&](double s) { return Depth(space, near, curve.position(s)); };
+  const auto above = [&](double s) { return depth(s).potential < limit; };
+  const auto sinks = [&](double s) {
+    const Vec3d x = curve.position(s);
+    Vec3d pull;
+    for (const std::uint32_t i : near) {
+      const Mass& mass = space.masses[i];
+      if (mass.reaches(x)) pull += attraction(mass.center - x, mass.gm, mass.core * mass.core);
+    }
+    return dot(pull, curve.direction(s)) > 0.0;
+  };
+  double deepest = h;
+  if (above(h)) {
+    if (!sinks(0.0) || sinks(h)) return std::nullopt;
+    deepest = bisect(0.0, h, sinks);
+    if (above(deepest)) return std::nullopt;
+  }
+  const double at = bisect(0.0, deepest, above);
+  return HorizonContact{depth(at).deepest, at};
+}
+
 }  // namespace
 
 std::optional<std::uint32_t> horizon_around(const Space& space, std::span<const std::uint32_t> near,
                                             Vec3d x) {
+  if (std::isfinite(space.medium.greatest_potential)) {
+    const Depth depth(space, near, x);
+    if (depth.potential >= space.medium.greatest_potential) return depth.deepest;
+    return std::nullopt;
+  }
   for (const std::uint32_t i : near) {
     const Mass& mass = space.masses[i];
     const Vec3d d = mass.center - x;
@@ -56,6 +108,7 @@ std::optional<std::uint32_t> horizon_around(const Space& space, std::span<const 
 
 std::optional<HorizonContact> first_horizon(const Space& space, std::span<const std::uint32_t> near,
                                             const Curve& curve) {
+  if (std::isfinite(space.medium.greatest_potential)) return deepest_contact(space, near, curve);
   std::optional<HorizonContact> first;
   for (const std::uint32_t i : near) {
     const Mass& mass = space.masses[i];

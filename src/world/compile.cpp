@@ -9,6 +9,7 @@
 
 #include "core/words.h"
 #include "gravity/coupling.h"
+#include "gravity/law.h"
 #include "world/image_store.h"
 #include "world/light_list.h"
 #include "world/mesh_store.h"
@@ -87,6 +88,31 @@ void check_portal_gravity(const Scene& scene, const Physics& physics, const Obje
         "give a smaller graviton_resolution or portal_gravity_depth");
 }
 
+/// Where light ends by the depth of the field, it has to be a hole that it ends in.
+void check_cores(const Scene& scene, const Physics& physics, const Objects& objects,
+                 Faults& faults) {
+  const double greatest = constants_of(make_law(physics.law)).greatest_potential;
+  if (std::isinf(greatest)) return;
+  double depth = 0.0;
+  for (const Mass& mass : objects.masses)
+    if (mass.core > 0.0) depth += gravitational_radius(mass.gm, physics.c) / mass.core;
+  // Portals with faults have no pair.
+  if (physics.portal_gravity == PortalMassCoupling::name && faults.size() == 0) {
+    const std::vector<Portal> mouths = one_sided(objects.portals);
+    const PortalMassCoupling coupling({mouths, objects.masses, physics.min_force,
+                                       static_cast<int>(physics.portal_gravity_depth)});
+    for (const PortalMassCoupling::Image& image : coupling.images())
+      depth += gravitational_radius(image.gm, physics.c) / std::sqrt(image.core2);
+  }
+  if (depth < greatest) return;
+  Parameters(scene.physics, faults)
+      .fault("law",
+             fmt::format("the masses with cores are too dense for the law {}: their G M / (c² "
+                         "core_radius) come to {:.4g}, and light ends at {:g}",
+                         in_quotes(physics.law), depth, greatest),
+             "give them larger cores or less mass, or take another law");
+}
+
 /// Steps and tolerances are made for the size of the space, to which influences count: what is tiny
 /// in it is passed over.
 void check_influences(const Scene& scene, const Objects& objects, const Box& extent, Vec3d camera,
@@ -159,7 +185,9 @@ World compile(const Scene& scene, const CompileOptions& options) {
   MeshStore meshes(scene.file, options.files, images, materials, faults, digests);
   std::vector<NamedLight> lights = read_lights(scene.lights, names, faults);
   Objects objects = read_objects(scene, {physics, names, materials, meshes}, faults);
+  set_horizons(make_law(physics.law), objects.masses, physics.c);
   check_portal_gravity(scene, physics, objects, faults);
+  check_cores(scene, physics, objects, faults);
   const Camera camera = read_section(scene.camera, faults, [&](Parameters& parameters) {
     return Camera::from(parameters,
                         scene.has_camera ? std::nullopt : std::optional<Box>(extent_of(objects)));

@@ -5,6 +5,7 @@
 
 #include "core/words.h"
 #include "geometry/extent.h"
+#include "gravity/law.h"
 
 namespace portalens {
 namespace {
@@ -34,6 +35,13 @@ std::optional<std::uint32_t> read_mass(Parameters& parameters, const std::string
     mass.center = to_vec3(parameters.triple("center_of_mass", coordinate));
   mass.core = parameters.number("core_radius", non_negative, 0.0);
   mass.horizon = parameters.boolean("horizon", mass.core == 0.0);
+  if (!mass.horizon && mass.core == 0.0 && kilograms > 0.0 &&
+      !constants_of(make_law(physics.law)).bare_masses)
+    parameters.fault(
+        "horizon",
+        "under the law " + in_quotes(physics.law) +
+            " light can't pass a mass that has neither a horizon nor a core",
+        "leave it out, give a core_radius, or take the law \"newton\" or \"einstein\"");
   mass.gm = physics.G * kilograms;
   mass.horizon_radius = schwarzschild_radius(mass.gm, physics.c);
   mass.influence = influence_radius(mass.gm, physics.min_force);

@@ -78,6 +78,27 @@ TEST_F(FieldCommand, TellsPartsThatMakeUpTheWhole) {
   }
 }
 
+TEST_F(FieldCommand, TellsHowMuchALawLetsItCount) {
+  const double c2 = 45.0 * 45.0;
+  for (const std::string law : {"newton", "einstein", "schwarzschild", "extreme"}) {
+    const json field =
+        told({"field", "--at", "0.25", "0", "2", "--json", "--set", "physics.law=" + law});
+    EXPECT_EQ(field["law"], law);
+    const double direct = 50.0 / std::hypot(0.25, 5.0, 2.0),
+                 through = 400.0 / std::hypot(0.25, 3.0);
+    const double w = field["w"].get<double>(), h = field["h"].get<double>();
+    EXPECT_NEAR(w, (direct + through) / c2, 1e-12);
+    const double expected = law == "newton"     ? 1.0
+                            : law == "einstein" ? 2.0
+                            : law == "extreme"  ? 2.0 / (1.0 + w)
+                                                : (2.0 - w / 2.0) / (1.0 - w * w / 4.0);
+    EXPECT_NEAR(h, expected, 1e-12);
+    for (int k = 0; k < 3; ++k)
+      EXPECT_NEAR(field["pull"][k].get<double>(), h * field["acceleration"][k].get<double>(),
+                  1e-12);
+  }
+}
+
 TEST_F(FieldCommand, TellsTheNearestPointOfAFaceAndWhereItLeads) {
   const json field = told({"field", "--at", "0.25", "0", "2", "--json"});
   const json part = field["through_portals"][0];

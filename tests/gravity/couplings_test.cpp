@@ -1,6 +1,8 @@
 // Laws that every coupling keeps. The list drives them: a newcomer is tried unasked.
 #include <gtest/gtest.h>
 
+#include <concepts>
+
 #include "gravity/coupling.h"
 #include "gravity/portal_scenes.h"
 #include "support/list_types.h"
@@ -47,6 +49,14 @@ TYPED_TEST(Couplings, DecideNothingAfreshWhereTheSignatureIsTheSame) {
   EXPECT_GT(compared, scaled(60) * 5);
 }
 
+/// Of a portal that acts as a mass.
+double core2_of(const PortalScene& scene, const PullPart& part) {
+  const PortalMassCoupling coupling(scene.input(1));
+  for (const PortalMassCoupling::Image& image : coupling.images())
+    if (image.portal == part.portals.front()) return image.core2;
+  return 0.0;
+}
+
 TYPED_TEST(Couplings, AreTheSumOfTheirParts) {
   int acting = 0;
   for_scenes(57, scaled(60),
@@ -69,6 +79,33 @@ TYPED_TEST(Couplings, AreTheSumOfTheirParts) {
                }
              });
   EXPECT_TRUE(acting > scaled(60) || TypeParam::name == "none");
+}
+
+TYPED_TEST(Couplings, TellThePotentialOfTheWaysThatPull) {
+  Random random(58);
+  int acting = 0;
+  for (int round = 0; round < scaled(40); ++round) {
+    PortalScene scene = random_scene(random, 1, 1, 2.5, 0.03);
+    scene.masses.resize(1);  // without a core
+    const TypeParam coupling(scene.input(1, 200));
+    for (int i = 0; i < 10; ++i) {
+      const Vec3d x = random.point(4.0);
+      double expected = 0.0;
+      for (const PullPart& part : coupling.parts(x)) {
+        const double square = part.distance * part.distance;
+        expected +=
+            std::same_as<TypeParam, PortalMassCoupling>
+                ? length(part.acceleration) * (square + core2_of(scene, part)) / part.distance
+                : std::sqrt(length(part.acceleration) * scene.masses[0].gm);
+      }
+      const double found = coupling.pull(x, x).potential;
+      // Where a map lies between its nodes it is not exact.
+      const bool map = std::same_as<TypeParam, GravitonMapCoupling>;
+      ASSERT_NEAR(found, expected, (map ? 2e-2 : 1e-9) * expected);
+      acting += found > 0.0;
+    }
+  }
+  EXPECT_TRUE(acting > 0 || TypeParam::name == "none");
 }
 
 TYPED_TEST(Couplings, ChangeTheirSignatureOnlyWhereTheFieldIsNotSmooth) {

@@ -72,6 +72,7 @@ TEST(Faults, OfSections) {
       {"[physics]\nc = 0\n", 2, "'c' is 0", ""},
       {"[physics]\nG = -1\n", 2, "'G' is -1", "at least 0"},
       {"[physics]\nintegrator = \"rk45\"\n", 2, "rk45", "adaptive, rk4, euler"},
+      {"[physics]\nlaw = \"swarzschild\"\n", 2, "swarzschild", "schwarzschild"},
       {"[physics]\nportal_gravity = \"closestpoint\"\n", 2, "closestpoint", "closest-point"},
       {"[physics]\nmax_step = 3\n", 2, "unknown key 'max_step'", "max_steps"},
       {"[shading]\nmax_bounces = 2.5\n", 2, "'max_bounces'", "whole number"},
@@ -162,6 +163,25 @@ TEST(Faults, OfPortalGravityWithoutAReach) {
   expect_each({{physics("closest-point") + pair, 2, "never lets a photon go", "above 0"},
                // The default, if none is named.
                {"[physics]\nmin_force = 0\n" + pair, 2, "'closest-point'", "shortest-path"}});
+}
+
+TEST(Faults, OfLawsThatNeedHorizons) {
+  const auto physics = [](const std::string& law) {
+    return "[physics]\nc = 10\nlaw = \"" + law + "\"\n";
+  };
+  const std::string bare = "[[mass]]\ncenter = [0,0,0]\nmass = 300\nhorizon = false\n";
+  for (const char* law : {"schwarzschild", "extreme"})
+    expect_each({{physics(law) + bare, 7, "neither a horizon nor a core", "core_radius"}});
+  for (const char* law : {"newton", "einstein"})
+    EXPECT_TRUE(faults_of(physics(law) + bare).empty());
+  // m = 3: both together are deeper than light can be.
+  const auto cored = [](const char* core) {
+    return std::string("[[mass]]\ncenter = [9,0,0]\nmass = 300\ncore_radius = ") + core + "\n";
+  };
+  expect_each(
+      {{physics("schwarzschild") + cored("3") + cored("3"), 3, "come to 2", "larger cores"}});
+  EXPECT_TRUE(faults_of(physics("schwarzschild") + cored("3") + cored("3.1")).empty());
+  EXPECT_TRUE(faults_of(physics("extreme") + cored("3") + cored("3")).empty());
 }
 
 TEST(Faults, OfMeshes) {
