@@ -18,8 +18,8 @@
 #include "io/lines.h"
 #include "io/mtl.h"
 #include "io/paths.h"
-#include "io/polygon.h"
 #include "io/tokens.h"
+#include "math/triangulate.h"
 
 namespace portalens {
 namespace {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "io/polygon.h"
+#include "math/triangulate.h"
 #include "support/random.h"
 #include "support/scale.h"
 #include "support/temporary_folder.h"

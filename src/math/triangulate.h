@@ -1,5 +1,5 @@
 /// \file
-/// Triangulating the polygons of a mesh file.
+/// Triangulating polygons: of a mesh file, of a portal.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-#include "io/polygon.h"
+#include "math/triangulate.h"
 
 #include <algorithm>
 #include <cmath>
