@@ -24,9 +24,8 @@ std::string place(Vec3d v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x,
 
 /// Extent of a portal along its `right` and `up`.
 std::pair<double, double> size_of(const Portal& portal) {
-  Box box;
-  for (const Vec3d& vertex : portal.vertices) box.add(portal.frame.to_local(vertex));
-  return {box.high.x - box.low.x, box.high.y - box.low.y};
+  const PlaneBox box = box_of(portal.aperture);
+  return {box.high_x - box.low_x, box.high_y - box.low_y};
 }
 
 Json bodies_json(const World& world) {
@@ -64,7 +63,8 @@ Json portals_json(const World& world) {
          {"center", to_json(portal.frame.origin)},
          {"normal", to_json(portal.frame.normal)},
          {"size", {width, height}},
-         {"vertices", portal.vertices.size()},
+         {"face", name_of(portal.aperture)},
+         {"vertices", is_curved(portal.aperture) ? 0 : portal.vertices.size()},
          {"tint", to_json(portal.tint)},
          {"back", portal.two_sided       ? "portal"
                   : portal.back_material ? world.appearance.materials[*portal.back_material].name
@@ -159,6 +159,8 @@ std::string portal_text(const World& world, const Portal& portal) {
   std::string text =
       fmt::format("  {} -> {}: {:.6g} x {:.6g} at {}, facing {}", portal.name, pair.name, width,
                   height, place(portal.frame.origin), place(portal.frame.normal));
+  if (!std::holds_alternative<ConvexPolygon>(portal.aperture))
+    text += fmt::format(", {}", name_of(portal.aperture));
   if (portal.two_sided) text += ", and back to back";
   if (portal.back_material)
     text += ", back " + world.appearance.materials[*portal.back_material].name;

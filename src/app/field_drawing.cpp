@@ -198,10 +198,17 @@ class FieldArtist {
       const double from = dot(a - plane_.corner, normal), to = dot(b - plane_.corner, normal);
       if ((from < 0.0) != (to < 0.0)) ends.push_back(a + (b - a) * (from / (from - to)));
     }
-    if (ends.size() != 2) return;
-    const Point a = point_of(ends[0]), b = point_of(ends[1]);
+    // Along the cut it enters and leaves the face by turns.
+    const Vec3d along = cross(normal, portal.frame.normal);
+    std::sort(ends.begin(), ends.end(),
+              [&](Vec3d a, Vec3d b) { return dot(a, along) < dot(b, along); });
+    for (std::size_t i = 0; i + 1 < ends.size(); i += 2)
+      draw_toothed(point_of(ends[i]), point_of(ends[i + 1]), portal.frame.normal, ink);
+  }
+
+  void draw_toothed(Point a, Point b, Vec3d front, const Color& ink) {
     stroke({a, b}, ink, 4.0);
-    const double fx = dot(portal.frame.normal, across_), fy = -dot(portal.frame.normal, upwards_);
+    const double fx = dot(front, across_), fy = -dot(front, upwards_);
     const double span = std::hypot(b.x - a.x, b.y - a.y);
     const int teeth = std::clamp(static_cast<int>(span / 8.0), 1, 1000);
     for (int i = 0; i < teeth; ++i) {

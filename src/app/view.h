@@ -26,7 +26,7 @@ class View {
   [[nodiscard]] std::optional<Point> project(Vec3d place) const;
   /// The pieces of a line that are seen.
   [[nodiscard]] std::vector<PointChain> project_line(std::span<const Vec3d> places) const;
-  /// The part of a convex flat area that is seen, or nothing.
+  /// The part of a flat area that is seen, or nothing.
   [[nodiscard]] PointChain project_area(std::span<const Vec3d> corners) const;
 
   /// Unit, from a place to the eye.

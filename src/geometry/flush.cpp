@@ -27,6 +27,7 @@ struct Face {
   bool opening = false;
   Vec3d normal;
   std::vector<Vec3d> hull;
+  std::vector<std::vector<Vec3d>> pieces;  ///< none where the hull is all
   Box box;
   double extent = 0.0;      ///< of the object it is a face of; of a mesh, of its flat region
   double coordinate = 0.0;  ///< the largest
@@ -62,20 +63,22 @@ bool touch(const Box& a, const Box& b, double tolerance) {
          a.low.z <= b.high.z + tolerance && b.low.z <= a.high.z + tolerance;
 }
 
-/// Whether both lie on one side each of a line along an edge of `a`, but for the tolerance.
-bool an_edge_separates(const Face& a, const Face& b, double tolerance) {
-  const auto extent_along = [](const Face& face, Vec3d axis) {
-    std::pair<double, double> range{dot(face.hull[0], axis), dot(face.hull[0], axis)};
-    for (const Vec3d& vertex : face.hull) {
+/// Whether both polygons lie on one side each of a line along an edge of `a`, but for the
+/// tolerance.
+bool an_edge_separates(const std::vector<Vec3d>& a, Vec3d normal, const std::vector<Vec3d>& b,
+                       double tolerance) {
+  const auto extent_along = [](const std::vector<Vec3d>& polygon, Vec3d axis) {
+    std::pair<double, double> range{dot(polygon[0], axis), dot(polygon[0], axis)};
+    for (const Vec3d& vertex : polygon) {
       const double at = dot(vertex, axis);
       range = {std::min(range.first, at), std::max(range.second, at)};
     }
     return range;
   };
-  for (std::size_t i = 0; i < a.hull.size(); ++i) {
-    const Vec3d edge = a.hull[(i + 1) % a.hull.size()] - a.hull[i];
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const Vec3d edge = a[(i + 1) % a.size()] - a[i];
     if (!(length(edge) > 0.0)) continue;
-    const Vec3d axis = cross(a.normal, normalize(edge));
+    const Vec3d axis = cross(normal, normalize(edge));
     const auto [a_low, a_high] = extent_along(a, axis);
     const auto [b_low, b_high] = extent_along(b, axis);
     if (std::min(a_high, b_high) - std::max(a_low, b_low) <= tolerance) return true;
@@ -86,7 +89,16 @@ bool an_edge_separates(const Face& a, const Face& b, double tolerance) {
 /// Whether two faces of one plane share more than an edge; by its rounding they may.
 bool share_area(const Face& a, const Face& b) {
   const double tolerance = 4.0 * (edge_rounding / same_plane) * tolerance_of(a, b);
-  return !an_edge_separates(a, b, tolerance) && !an_edge_separates(b, a, tolerance);
+  const std::span<const std::vector<Vec3d>> as =
+      a.pieces.empty() ? std::span(&a.hull, 1) : std::span(a.pieces);
+  const std::span<const std::vector<Vec3d>> bs =
+      b.pieces.empty() ? std::span(&b.hull, 1) : std::span(b.pieces);
+  return std::any_of(as.begin(), as.end(), [&](const std::vector<Vec3d>& one) {
+    return std::any_of(bs.begin(), bs.end(), [&](const std::vector<Vec3d>& other) {
+      return !an_edge_separates(one, a.normal, other, tolerance) &&
+             !an_edge_separates(other, b.normal, one, tolerance);
+    });
+  });
 }
 
 /// Whether `a` is met where both are.
@@ -116,6 +128,9 @@ class FlushBuilder {
     for (std::uint32_t i = 0; i < openings.size(); ++i)
       add({static_cast<std::uint32_t>(shapes.size()) + i, 0}, true, openings[i].normal,
           {openings[i].vertices.begin(), openings[i].vertices.end()}, 0.0);
+    for (std::uint32_t i = 0; i < openings.size(); ++i)
+      if (openings[i].pieces.size() > 1)
+        faces_[faces_.size() - openings.size() + i].pieces = openings[i].pieces;
     plain_count_ = faces_.size();
   }
 

@@ -46,10 +46,11 @@ struct FaceId {
   friend auto operator<=>(const FaceId&, const FaceId&) = default;
 };
 
-/// A polygon that is no shape and is met before shapes: a portal.
+/// A flat face that is no shape and is met before shapes: a portal.
 struct Opening {
-  std::span<const Vec3d> vertices;
+  std::span<const Vec3d> vertices;  ///< span it
   Vec3d normal;
+  std::vector<std::vector<Vec3d>> pieces;  ///< convex polygons that make it up
 };
 
 /// A mesh of a scene, with a tree over its triangles.

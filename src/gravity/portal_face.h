@@ -27,6 +27,11 @@ class PortalFace {
   [[nodiscard]] const Aperture& aperture() const { return aperture_; }
   /// Of a polygon.
   [[nodiscard]] const std::vector<FaceEdge>& edges() const { return edges_; }
+  /// Null of a polygon.
+  [[nodiscard]] const Ellipse* ellipse() const { return std::get_if<Ellipse>(&aperture_); }
+  [[nodiscard]] bool is_convex_polygon() const {
+    return std::holds_alternative<ConvexPolygon>(aperture_);
+  }
   [[nodiscard]] double height_tolerance() const { return tolerance_; }
 
   /// The feature nearest to `local`, by the one-sided rule: in front of the plane (or at height 0)

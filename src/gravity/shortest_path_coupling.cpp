@@ -10,6 +10,9 @@ namespace portalens {
 
 namespace {
 
+/// The way round an ellipse takes as long to find as over that many edges.
+constexpr std::size_t round_as = 16;
+
 /// Carries what lies behind the last portal of a chain back to where it seems to be.
 Vec3d unfold(std::span<const Portal> portals, std::span<const std::uint32_t> chain, Vec3d point) {
   for (std::size_t i = chain.size(); i-- > 0;) point = portals[chain[i]].through.move_back(point);
@@ -48,7 +51,8 @@ ShortestPathCoupling::ShortestPathCoupling(const CouplingInput& input) {
 
 CouplingCost ShortestPathCoupling::cost(const CouplingInput& input) {
   std::size_t edges = 0;
-  for (const Portal& portal : input.portals) edges = std::max(edges, portal.vertices.size());
+  for (const Portal& portal : input.portals)
+    edges = std::max(edges, is_curved(portal.aperture) ? round_as : portal.vertices.size());
   // Measured: about six masses an edge, and three times the edges for each further face.
   const auto sides = static_cast<double>(edges);
   double ways = 0.0;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <vector>
 
 #include "gravity/way_formulas.h"
 
@@ -23,15 +25,46 @@ double straight_through(const PortalFace& face, Vec3d a, Vec3d b) {
   return crosses ? t : -1.0;
 }
 
+/// Edges, or the whole rim of an ellipse.
+std::uint32_t rim_pieces(const PortalFace& face) {
+  return face.ellipse() ? 1 : static_cast<std::uint32_t>(face.edges().size());
+}
+
+/// A piece of the rim, in the face's coordinates or in space.
+Slide slide_on(const Ellipse& ellipse, const Frame& frame) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return {frame.origin, frame.right * ellipse.a(), -infinity, infinity,
+          true,         frame.up * ellipse.b()};
+}
+Slide local_slide(const Ellipse& ellipse) {
+  return slide_on(ellipse, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+}
+Slide slide_of(const PortalFace& face, std::uint32_t piece) {
+  if (const Ellipse* ellipse = face.ellipse()) return slide_on(*ellipse, face.frame());
+  const FaceEdge& edge = face.edges()[piece];
+  return {edge.start, edge.direction, 0.0, edge.length};
+}
+
 Passage rim_passage(const PortalFace& face, std::uint32_t edge, double place) {
+  if (face.ellipse()) {
+    constexpr double sectors = 16.0;
+    const double turns = place / (2.0 * std::numbers::pi);
+    const double share = turns - std::floor(turns);
+    return {Passage::Kind::edge, static_cast<std::uint32_t>(share * sectors), place};
+  }
   const auto count = static_cast<std::uint32_t>(face.edges().size());
   if (place <= 0.0) return {Passage::Kind::vertex, edge};
   if (place >= face.edges()[edge].length) return {Passage::Kind::vertex, (edge + 1) % count};
   return {Passage::Kind::edge, edge};
 }
 
-/// The best way over one edge; ends in the face's coordinates.
-RimWay<double> over_edge(const FaceEdge& edge, Vec3d a, Vec3d b) {
+/// The best way over one piece of the rim; ends in the face's coordinates.
+RimWay<double> over_piece(const PortalFace& face, std::uint32_t piece, Vec3d a, Vec3d b) {
+  if (const Ellipse* ellipse = face.ellipse()) {
+    const CurvePlace best = least_places(local_slide(*ellipse), a, b).front();
+    return {best.length, best.angle};
+  }
+  const FaceEdge& edge = face.edges()[piece];
   const double outside_a = edge.outside(a.x, a.y), outside_b = edge.outside(b.x, b.y);
   const BesideLine<double> ends{edge.along(a.x, a.y), std::sqrt(outside_a * outside_a + a.z * a.z),
                                 edge.along(b.x, b.y), std::sqrt(outside_b * outside_b + b.z * b.z)};
@@ -48,8 +81,8 @@ bool shortest_by_one(Vec3d from, Vec3d to, const PortalFace& face, double limit,
   }
   double best = limit;
   bool found = false;
-  for (std::uint32_t i = 0; i < face.edges().size(); ++i) {
-    const RimWay<double> way = over_edge(face.edges()[i], a, b);
+  for (std::uint32_t i = 0; i < rim_pieces(face); ++i) {
+    const RimWay<double> way = over_piece(face, i, a, b);
     const Passage passage = rim_passage(face, i, way.place);
     const bool between_insides =
         found && passage.kind == Passage::Kind::edge && out.kind == Passage::Kind::edge;
@@ -61,6 +94,21 @@ bool shortest_by_one(Vec3d from, Vec3d to, const PortalFace& face, double limit,
   return found;
 }
 
+/// How far a place is from the part of a plane that a corner at the origin, with those sides,
+/// opens.
+double from_corner(Vec3d first, Vec3d second, Vec3d place) {
+  const Vec3d normal = cross(first, second);
+  const double size = length(normal);
+  if (size > 0.0 && dot(cross(normal, first), place) >= 0.0 &&
+      dot(cross(second, normal), place) >= 0.0)
+    return std::fabs(dot(normal, place)) / size;
+  const auto from_ray = [&](Vec3d ray) {
+    const double along = std::max(0.0, dot(place, ray) / dot(ray, ray));
+    return length(place - ray * along);
+  };
+  return std::min(from_ray(first), from_ray(second));
+}
+
 /// How far `a` may move, at the least, before a straight way through the face begins or ceases;
 /// ends are given in the face's coordinates. It is straight from in front of the face, within the
 /// pyramid over it whose top is `b`.
@@ -68,6 +116,22 @@ double clear_line(const PortalFace& face, Vec3d a, Vec3d b) {
   const double tolerance = face.height_tolerance(), height = a.z + tolerance;
   if (b.z > tolerance) return std::numeric_limits<double>::infinity();
   if (b.z >= 0.0) return 0.0;
+  if (!face.is_convex_polygon()) {
+    if (height < 0.0) return -height;
+    const std::vector<Vec3d> outline = outline_of(face.aperture());
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      const Vec3d &from = outline[i], &to = outline[(i + 1) % outline.size()];
+      least = std::min(
+          least, from_corner(Vec3d{from.x, from.y, 0.0} - b, Vec3d{to.x, to.y, 0.0} - b, a - b));
+    }
+    // The outline of an ellipse lies about it.
+    if (face.ellipse()) {
+      const double wider = 1e-3 * size_of(face.aperture()) * std::max(1.0, length(a - b) / -b.z);
+      least = std::max(0.0, least - wider);
+    }
+    return straight_through(face, a, b) >= 0.0 ? std::min(least, height) : least;
+  }
   double outside = -std::numeric_limits<double>::infinity();
   for (const FaceEdge& edge : face.edges()) {
     const Vec3d start{edge.start_x, edge.start_y, 0.0};
@@ -78,12 +142,27 @@ double clear_line(const PortalFace& face, Vec3d a, Vec3d b) {
   return outside <= 0.0 ? std::min(-outside, height) : outside;
 }
 
+/// How much longer than the shortest way round an ellipse that over a place far from it is.
+double lead_round(const Ellipse& ellipse, Vec3d a, Vec3d b) {
+  constexpr double far = std::numbers::pi / 3.0;
+  const Slide rim = local_slide(ellipse);
+  const std::vector<CurvePlace> places = least_places(rim, a, b);
+  double second = std::numeric_limits<double>::infinity();
+  if (places.size() > 1) second = places[1].length;
+  for (double angle = far; angle < 2.0 * std::numbers::pi - far; angle += 0.1) {
+    const Vec3d y = rim.at(places[0].angle + angle);
+    second = std::min(second, length(y - a) + length(b - y));
+  }
+  return second - places[0].length;
+}
+
 /// How much longer than the shortest path over the rim that over another feature is.
 double lead_over_rim(const PortalFace& face, Vec3d a, Vec3d b) {
+  if (const Ellipse* ellipse = face.ellipse()) return lead_round(*ellipse, a, b);
   double least = std::numeric_limits<double>::infinity(), second = least;
   Passage best = straight_passage;
   for (std::uint32_t i = 0; i < face.edges().size(); ++i) {
-    const RimWay<double> way = over_edge(face.edges()[i], a, b);
+    const RimWay<double> way = over_piece(face, i, a, b);
     const Passage passage = rim_passage(face, i, way.place);
     const bool better = way.length < least;
     // A vertex is met along two edges.
@@ -135,12 +214,12 @@ class Search {
         points[i] = before + (after - before) * t;
         if (t >= 0.0) continue;
         double least = std::numeric_limits<double>::infinity();
-        for (std::uint32_t e = 0; e < face.edges().size(); ++e) {
-          const RimWay<double> way = over_edge(face.edges()[e], a, b);
+        for (std::uint32_t e = 0; e < rim_pieces(face); ++e) {
+          const RimWay<double> way = over_piece(face, e, a, b);
           if (!(way.length < least)) continue;
           least = way.length;
           choice_[i] = static_cast<std::int32_t>(e);
-          points[i] = face.edges()[e].start + face.edges()[e].direction * way.place;
+          points[i] = slide_of(face, e).at(way.place);
         }
       }
     if (relax() && judge().legal) cutoff_ = std::min(cutoff_, way_.total() * (1.0 + 1e-12));
@@ -160,8 +239,8 @@ class Search {
     const std::size_t i = verdict.next;
     const PortalFace& face = *faces_[i];
     const Vec3d a = face.frame().to_local(way_.from), b = face.frame().to_local(way_.to);
-    for (std::uint32_t edge = 0; edge < face.edges().size(); ++edge) {
-      if (!(over_edge(face.edges()[edge], a, b).length < cutoff_)) continue;
+    for (std::uint32_t edge = 0; edge < rim_pieces(face); ++edge) {
+      if (!(over_piece(face, edge, a, b).length < cutoff_)) continue;
       choice_[i] = static_cast<std::int32_t>(edge);
       explore();
     }
@@ -177,9 +256,10 @@ class Search {
     way_.count = 0;
     for (std::size_t i = 0; i < faces_.size(); ++i) {
       if (choice_[i] < 0) continue;
-      const FaceEdge& edge = faces_[i]->edges()[static_cast<std::size_t>(choice_[i])];
-      way_.slides[way_.count] = {edge.start, edge.direction, 0.0, edge.length};
-      way_.places[way_.count] = 0.5 * edge.length;
+      const Slide slide = slide_of(*faces_[i], static_cast<std::uint32_t>(choice_[i]));
+      way_.slides[way_.count] = slide;
+      way_.places[way_.count] =
+          slide.curved ? best_place(slide, way_.from, way_.to) : 0.5 * slide.high;
       ++way_.count;
     }
     return shorten(way_, cutoff_);
@@ -264,6 +344,11 @@ Polyline bends(Vec3d from, Vec3d to, FaceRow faces, const Passages& passages) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < faces.size(); ++i) {
     if (passages[i].kind == Passage::Kind::straight) continue;
+    if (const Ellipse* ellipse = faces[i]->ellipse()) {
+      way.slides[way.count] = slide_on(*ellipse, faces[i]->frame());
+      way.places[way.count++] = passages[i].angle;
+      continue;
+    }
     const FaceEdge& edge = faces[i]->edges()[passages[i].index];
     const bool fixed = passages[i].kind == Passage::Kind::vertex;
     way.slides[way.count] = {edge.start, edge.direction, fixed ? 0.0 : -infinity,

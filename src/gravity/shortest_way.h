@@ -5,7 +5,8 @@
 /// A path crosses the inside of a face only straight and from front to back; else it bends on the
 /// face's rim. For one face the best point of an edge has a closed form (`best_place`). For several
 /// the length is convex in the places along given edges, and which edges is found by branch and
-/// bound: a face that is left out can only make the path shorter.
+/// bound: a face that is left out can only make the path shorter. The rim of an ellipse is all one
+/// edge, on which the length may be least at two places; it is followed down from the better.
 #pragma once
 
 #include <array>
@@ -20,11 +21,13 @@ namespace portalens {
 /// The faces of a chain, in the order of passing.
 using FaceRow = std::span<const PortalFace* const>;
 
-/// How a path passes one face: straight through its inside, or by a feature of its rim.
+/// How a path passes one face: straight through its inside, or by a feature of its rim (of an
+/// ellipse, by one of some sectors: so that a path which jumps is told from one that slides).
 struct Passage {
   enum class Kind : std::uint8_t { straight, edge, vertex };
   Kind kind;
   std::uint32_t index;
+  double angle = 0.0;  ///< round an ellipse, where it was found: from there it is followed
 
   [[nodiscard]] std::uint64_t code() const {
     return static_cast<std::uint64_t>(index) * 4 + static_cast<std::uint64_t>(kind);

@@ -20,7 +20,7 @@ struct PathLine {
   Vec3d tail;               ///< where it goes on straight from its last point; 0 if it does not
 };
 
-/// A flat convex body.
+/// A flat body: a simple polygon.
 struct FlatBody {
   std::string name;
   std::vector<Vec3d> vertices;  ///< counter-clockwise seen from the front

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "io/polylines.h"
+#include "math/triangulate.h"
 
 namespace portalens {
 namespace {
@@ -145,11 +146,12 @@ Solid segments(const std::vector<PathLine>& lines) {
   return solid;
 }
 
-Solid fan(const FlatBody& body) {
+Solid triangles(const FlatBody& body) {
   Solid solid;
   for (const Vec3d& vertex : body.vertices) solid.positions.push_back(floats(vertex));
-  for (std::uint32_t i = 2; i < body.vertices.size(); ++i)
-    solid.indices.insert(solid.indices.end(), {0, i - 1, i});
+  for (const auto& triangle : triangulate(body.vertices))
+    for (const std::size_t corner : triangle)
+      solid.indices.push_back(static_cast<std::uint32_t>(corner));
   return solid;
 }
 
@@ -191,7 +193,8 @@ std::string paths_as_gltf(const PathPicture& picture) {
   const Solid lines = segments(picture.lines);
   if (!lines.indices.empty()) document.add_lines("photons", lines);
   for (const FlatBody& body : picture.flats)
-    if (body.vertices.size() >= 3) document.add_triangles(body.name, fan(body), body.color, 0.5);
+    if (body.vertices.size() >= 3)
+      document.add_triangles(body.name, triangles(body), body.color, 0.5);
   for (const RoundBody& body : picture.balls)
     document.add_triangles(body.name, globe(body), body.color, 1.0);
   return std::move(document).text();

@@ -51,6 +51,12 @@ class GatePlanner {
 
   /// Why it is not possible; empty where it is.
   [[nodiscard]] std::string plan() {
+    for (const Portal& portal : space_.mouths)
+      if (coupling_.depth() > 0 && std::holds_alternative<Ellipse>(portal.aperture))
+        return fmt::format(
+            "portal {} is an ellipse (lanes take it with physics.portal_gravity = \"portal-mass\" "
+            "or \"none\", and polygons with closest-point, too)",
+            in_quotes(portal.name));
     if (add(coupling_.depth(), -1, no_portal, nullptr)) return "";
     if (masses_.size() > max_lane_masses)
       return fmt::format(

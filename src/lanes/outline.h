@@ -13,9 +13,23 @@ template <class R>
   return multiply_add(R(edge.along_y), x, subtract_product(R(-edge.out), R(edge.along_x), y));
 }
 
-/// Whether a place in its plane lies within a polygon, its rim included.
+/// Whether a place in its plane lies within an outline, its rim included.
 template <class R>
 [[nodiscard]] typename R::Mask covers(const LaneOutline& outline, R x, R y) {
+  if (outline.kind == LaneOutline::Kind::ellipse) {
+    const R u = x * R(outline.per_x), v = y * R(outline.per_y);
+    return multiply_add(u, u, v * v) <= R(1);
+  }
+  if (outline.kind == LaneOutline::Kind::simple) {
+    // Edges to the right of it, an odd number where it lies within.
+    auto odd = R(1) < R(0);
+    for (int k = 0; k < outline.count; ++k) {
+      const LaneEdge& edge = outline.edges[k];
+      const R out = outside_of(edge, x, y) * R(edge.along_y > 0.0f ? 1.0f : -1.0f);
+      odd = odd ^ (((R(edge.start_y) <= y) ^ (R(edge.end_y) <= y)) & (out < R(0)));
+    }
+    return odd;
+  }
   auto within = R(0) < R(1);
   for (int k = 0; k < outline.count; ++k)
     within = within & (outside_of(outline.edges[k], x, y) <= R(0));
@@ -53,21 +67,13 @@ struct LaneLine {
   }
 };
 
-/// The feature of a polygon that is nearest, its inside, an edge's line or a vertex:
+/// The nearest point of a feature whose nearest point is linear in a place:
 ///     q = keep · local + fix      in the plane, with a symmetric matrix
-/// and where it stays so: what decides it is compared with the same numbers here and there.
 template <class R>
-struct LaneOutlineNearest {
+struct LaneLinearNearest {
   using Mask = typename R::Mask;
 
   R keep_xx, keep_xy, keep_yy, fix_x, fix_y;
-  /// Of an edge, how far along it a place is, from 0 to `size`, and how far out, above 0. Of a
-  /// vertex, the same along the edge after it, below 0, and how far beyond the one before it.
-  LaneLine<R> along, out;
-  R size;    ///< 0 of a vertex
-  R beyond;  ///< of the heights over `out` from which it is nearest
-  /// 1 inside the outline, and there behind the plane, else 0. There `out` is the nearest edge's.
-  R within, behind;
 
   [[nodiscard]] R x(Vec3<R> local) const {
     return multiply_add(keep_xx, local.x, multiply_add(keep_xy, local.y, fix_x));
@@ -95,13 +101,28 @@ struct LaneOutlineNearest {
   }
 
   /// Of the other only where its nearest point is.
-  void take(Mask where, const LaneOutlineNearest& other) {
+  void take(Mask where, const LaneLinearNearest& other) {
     keep_xx = select(where, other.keep_xx, keep_xx);
     keep_xy = select(where, other.keep_xy, keep_xy);
     keep_yy = select(where, other.keep_yy, keep_yy);
     fix_x = select(where, other.fix_x, fix_x);
     fix_y = select(where, other.fix_y, fix_y);
   }
+};
+
+/// The feature of a polygon that is nearest, its inside, an edge's line or a vertex, and where it
+/// stays so: what decides it is compared with the same numbers here and there.
+template <class R>
+struct LaneOutlineNearest : LaneLinearNearest<R> {
+  using Mask = typename R::Mask;
+
+  /// Of an edge, how far along it a place is, from 0 to `size`, and how far out, above 0. Of a
+  /// vertex, the same along the edge after it, below 0, and how far beyond the one before it.
+  LaneLine<R> along, out;
+  R size;    ///< 0 of a vertex
+  R beyond;  ///< of the heights over `out` from which it is nearest
+  /// 1 inside the outline, and there behind the plane, else 0. There `out` is the nearest edge's.
+  R within, behind;
 
   /// @param gate  has `outline`, and `tolerance`: heights down to minus this count as in front
   template <class Gate>

@@ -95,7 +95,8 @@ std::string portal_refusal(const Space& space) {
   if (portals.size() > max_lane_portals)
     return fmt::format("{} portals are there (lanes take {})", portals.size(), max_lane_portals);
   for (const Portal& portal : portals)
-    if (portal.vertices.size() > max_lane_edges)
+    if (!std::holds_alternative<Ellipse>(portal.aperture) &&
+        portal.vertices.size() > max_lane_edges)
       return fmt::format("portal {} has {} edges (lanes take {})", in_quotes(portal.name),
                          portal.vertices.size(), max_lane_edges);
   return "";
@@ -106,6 +107,7 @@ void add_portals(const Space& space, Vec3d center, LaneScene& scene) {
   const auto portals = space.portals.portals();
   const auto is_rectangle = [](const Portal& p) { return rectangle_of(p).half_width > 0.0; };
   const bool plain = std::all_of(portals.begin(), portals.end(), is_rectangle);
+  scene.all_convex = true;
   for (std::uint32_t i = 0; i < portals.size(); ++i) {
     const Portal& portal = portals[i];
     LanePortal& lane = scene.portals[scene.portal_count++];
@@ -114,6 +116,7 @@ void add_portals(const Space& space, Vec3d center, LaneScene& scene) {
     if (!plain) {
       LaneOutline& added = scene.outlines[scene.outline_count++];
       added = outline_of(portal);
+      scene.all_convex = scene.all_convex && added.kind == LaneOutline::Kind::convex;
       if (!is_rectangle(portal)) outline = &added;
     }
     lane = {narrow(portal.frame.origin - center), narrow(portal.frame.right),

@@ -56,11 +56,12 @@ struct LaneChoice {
 
 /// Lanes leave to the scalar engine: a fixed-step integrator, infinite influences, masses or
 /// portals so far from each other that floats can't place them, lengths whose powers floats can't
-/// hold, portals of more edges than `max_lane_edges`, `graviton-map` and `shortest-path` through
-/// any that is no rectangle, `shortest-path` through more than one portal, or more masses, portals,
-/// chains or paths than they have room for, laws that are not uniform where anything acts through
-/// portals or more than `max_lane_masses` act: of masses that are not alone `max_lane_masses`
-/// where a coupling looks at each through portals, else `max_lane_many`.
+/// hold, portals of more edges than `max_lane_edges`, `closest-point` through an ellipse,
+/// `graviton-map` and `shortest-path` through any that is no rectangle, `shortest-path` through
+/// more than one portal, laws that are not uniform where anything acts through portals or more than
+/// `max_lane_masses` act, or more masses, portals, chains or paths than they have room for: of
+/// masses that are not alone `max_lane_masses` where a coupling looks at each through portals, else
+/// `max_lane_many`.
 [[nodiscard]] LaneChoice plan_lanes(const Space& space);
 
 }  // namespace portalens

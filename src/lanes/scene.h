@@ -49,7 +49,7 @@ inline constexpr int max_lane_isolated_masses = 128;
 inline constexpr int max_lane_gates = 20;
 inline constexpr int max_lane_portals = 8;
 /// Of a portal.
-inline constexpr int max_lane_edges = 8;
+inline constexpr int max_lane_edges = 12;
 inline constexpr int max_lane_polygons = 48;
 inline constexpr int max_lane_spheres = 24;
 inline constexpr int max_lane_boxes = 24;
@@ -84,17 +84,23 @@ struct LaneIsolated {
   const float* cells;  ///< of its `CrossingTable`
 };
 
-/// An edge of a convex polygon in coordinates of its plane; counter-clockwise, so that the outside
+/// An edge of a polygon in coordinates of its plane; counter-clockwise, so that the outside
 /// is to the right of its direction.
 struct LaneEdge {
   float along_x, along_y;  ///< its direction, a unit vector
   float begin, length;     ///< where it starts along its direction, seen from the origin
   float out;               ///< how far its line lies from the origin, towards the outside
+  float start_y, end_y;    ///< of its ends, to the bit as its neighbours have them
+  float reentrant;         ///< 1 where the corner that it begins with is, else 0
 };
 
-/// The edges of a portal that need not be a rectangle.
+/// The rim of a portal that need not be a rectangle: edges, or an ellipse about the origin.
 struct LaneOutline {
+  enum class Kind : std::int32_t { convex, simple, ellipse };
+  Kind kind;
   int count;
+  float longest;       ///< of the edges
+  float per_x, per_y;  ///< of an ellipse: 1 over its radii
   LaneEdge edges[max_lane_edges];
 };
 
@@ -224,6 +230,7 @@ struct LaneScene {
   LaneWay ways[max_lane_ways];
   LanePortal portals[max_lane_portals];
   /// One for each portal, or none where all are rectangles.
+  bool all_convex;  ///< all outlines are polygons, and convex
   LaneOutline outlines[max_lane_portals];
   LanePolygon polygons[max_lane_polygons];
   LaneSphere spheres[max_lane_spheres];

@@ -44,24 +44,38 @@ struct Rectangle {
 [[nodiscard]] inline Rectangle extent_of(const Portal& portal) {
   Rectangle extent = rectangle_of(portal);
   if (extent.half_width > 0.0) return extent;
-  for (const Vec3d& vertex : portal.vertices) {
-    const Vec3d local = portal.frame.to_local(vertex);
-    extent.half_width = std::max(extent.half_width, std::fabs(local.x));
-    extent.half_height = std::max(extent.half_height, std::fabs(local.y));
-  }
+  const PlaneBox box = box_of(portal.aperture);
+  extent.half_width = std::max(std::fabs(box.low_x), std::fabs(box.high_x));
+  extent.half_height = std::max(std::fabs(box.low_y), std::fabs(box.high_y));
   return extent;
 }
 
-/// @pre no more vertices than `max_lane_edges`
+/// @pre a polygon of no more edges than `max_lane_edges`, or an ellipse
 [[nodiscard]] inline LaneOutline outline_of(const Portal& portal) {
   LaneOutline outline{};
+  if (const auto* ellipse = std::get_if<Ellipse>(&portal.aperture)) {
+    outline.kind = LaneOutline::Kind::ellipse;
+    outline.per_x = static_cast<float>(1.0 / ellipse->a());
+    outline.per_y = static_cast<float>(1.0 / ellipse->b());
+    return outline;
+  }
   const PortalFace face(portal);
-  for (const FaceEdge& edge : face.edges()) {
+  const std::vector<FaceEdge>& edges = face.edges();
+  outline.longest = static_cast<float>(portal.longest_edge);
+  if (!face.is_convex_polygon()) outline.kind = LaneOutline::Kind::simple;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const FaceEdge &edge = edges[i], &next = edges[(i + 1) % edges.size()];
+    const FaceEdge& last = edges[(i + edges.size() - 1) % edges.size()];
     const double begin = edge.start_x * edge.direction_x + edge.start_y * edge.direction_y;
+    const double turn = last.direction_x * edge.direction_y - last.direction_y * edge.direction_x;
     outline.edges[outline.count++] = {static_cast<float>(edge.direction_x),
                                       static_cast<float>(edge.direction_y),
-                                      static_cast<float>(begin), static_cast<float>(edge.length),
-                                      static_cast<float>(-edge.outside(0.0, 0.0))};
+                                      static_cast<float>(begin),
+                                      static_cast<float>(edge.length),
+                                      static_cast<float>(-edge.outside(0.0, 0.0)),
+                                      static_cast<float>(edge.start_y),
+                                      static_cast<float>(next.start_y),
+                                      turn < 0.0 ? 1.0f : 0.0f};
   }
   return outline;
 }

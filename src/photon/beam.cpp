@@ -100,14 +100,14 @@ BeamGuard::BeamGuard(const Space& space) : space_(&space) {
   const auto portals = space.portals.portals();
   for (std::uint32_t i = 0; i < portals.size(); ++i) {
     // In sections of four corners, or three.
-    const std::vector<Vec3d>& corners = portals[i].vertices;
-    for (std::size_t k = 1; k + 1 < corners.size(); k += 2) {
-      const std::array<Vec3d, 4> section = {corners[0], corners[k], corners[k + 1],
-                                            corners[std::min(k + 2, corners.size() - 1)]};
-      const std::size_t count = std::min<std::size_t>(4, corners.size() - k + 1);
-      const Quad face(std::span<const Vec3d>(section).first(count));
-      add(&faces_.emplace_back(face), face.bounds(), Met::portal_back, i);
-    }
+    for (const std::vector<Vec3d>& corners : pieces_of(portals[i]))
+      for (std::size_t k = 1; k + 1 < corners.size(); k += 2) {
+        const std::array<Vec3d, 4> section = {corners[0], corners[k], corners[k + 1],
+                                              corners[std::min(k + 2, corners.size() - 1)]};
+        const std::size_t count = std::min<std::size_t>(4, corners.size() - k + 1);
+        const Quad face(std::span<const Vec3d>(section).first(count));
+        add(&faces_.emplace_back(face), face.bounds(), Met::portal_back, i);
+      }
   }
   for (std::uint32_t i = 0; i < space.masses.size(); ++i) {
     const Mass& mass = space.masses[i];

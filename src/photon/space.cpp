@@ -9,7 +9,8 @@ namespace {
 
 std::vector<Opening> openings_of(const std::vector<Portal>& portals) {
   std::vector<Opening> openings;
-  for (const Portal& portal : portals) openings.push_back({portal.vertices, portal.frame.normal});
+  for (const Portal& portal : portals)
+    openings.push_back({portal.vertices, portal.frame.normal, pieces_of(portal)});
   return openings;
 }
 

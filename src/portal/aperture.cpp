@@ -32,6 +32,10 @@ std::string_view name_of(const Aperture& aperture) {
   return std::visit([](const auto& a) { return a.name; }, aperture);
 }
 
+bool is_curved(const Aperture& aperture) {
+  return std::visit([](const auto& a) { return a.curved; }, aperture);
+}
+
 std::vector<Vec3d> outline_of(const Aperture& aperture) {
   return std::visit([](const auto& a) { return std::vector<Vec3d>(a.outline()); }, aperture);
 }

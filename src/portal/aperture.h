@@ -6,6 +6,7 @@
 /// Coordinates are those of the portal's frame: x along `right`, y along `up`, z the height over
 /// the plane. Each type has
 ///   static constexpr std::string_view name;          for people
+///   static constexpr bool curved;                    whether its rim has no edges and vertices
 ///   static std::optional<T> from(const FaceInput&);  nothing where the input is none of its kind
 ///   T carried(std::vector<Vec3d> outline) const;     the same where its outline has these points
 ///   bool within(double x, double y, double slack) const;
@@ -23,6 +24,7 @@
 ///   double distance_to_discontinuity(Vec3d local, double tolerance) const;
 ///       a lower bound of the distance from `local` to where the nearest point jumps
 ///   double still(Feature, Vec3d local) const;        within this distance it does not move at all
+///   edges() const;     in order, none of what is curved
 ///   outline() const;   corners, counter-clockwise; of a curved rim, those of a polygon around it
 ///   std::vector<std::vector<Vec3d>> pieces() const;  convex polygons that make up the outline
 ///   PlaneBox box() const;                            just around it
@@ -39,11 +41,13 @@
 #include <variant>
 #include <vector>
 
+#include "portal/concave_polygon.h"
 #include "portal/convex_polygon.h"
+#include "portal/ellipse.h"
 
 namespace portalens {
 
-using Aperture = std::variant<ConvexPolygon>;
+using Aperture = std::variant<ConvexPolygon, ConcavePolygon, Ellipse>;
 
 /// The first of the list that the input is.
 [[nodiscard]] std::optional<Aperture> aperture_from(const FaceInput& input);
@@ -59,6 +63,7 @@ template <class Question>
 [[nodiscard]] inline bool within(const Aperture& aperture, double x, double y, double slack) {
   return ask(aperture, [&](const auto& a) { return a.within(x, y, slack); });
 }
+[[nodiscard]] bool is_curved(const Aperture& aperture);
 [[nodiscard]] std::vector<Vec3d> outline_of(const Aperture& aperture);
 [[nodiscard]] PlaneBox box_of(const Aperture& aperture);
 [[nodiscard]] double size_of(const Aperture& aperture);

@@ -15,6 +15,7 @@ namespace portalens {
 class ConvexPolygon {
  public:
   static constexpr std::string_view name = "convex polygon";
+  static constexpr bool curved = false;
 
   ConvexPolygon() = default;  ///< holds nothing yet
   /// @pre at least 3 corners, convex to 1e-9 of the longest edge

@@ -39,6 +39,14 @@ void give_face(Portal& portal, const FaceInput& input) {
     portal.vertices.push_back(portal.frame.to_world(corner));
 }
 
+std::vector<std::vector<Vec3d>> pieces_of(const Portal& portal) {
+  if (std::holds_alternative<ConvexPolygon>(portal.aperture)) return {portal.vertices};
+  auto pieces = std::visit([](const auto& a) { return a.pieces(); }, portal.aperture);
+  for (std::vector<Vec3d>& piece : pieces)
+    for (Vec3d& corner : piece) corner = portal.frame.to_world(corner);
+  return pieces;
+}
+
 Aperture aperture_at(const Portal& portal, const std::vector<Vec3d>& vertices, const Frame& frame) {
   std::vector<Vec3d> local;
   for (const Vec3d& vertex : vertices) local.push_back(frame.to_local(vertex));

@@ -1,18 +1,12 @@
 #include "shading/portal_back.h"
 
-#include <algorithm>
-
 namespace portalens {
 
 SurfacePoint point_on_back(const Portal& portal, Vec3d x) {
   const Vec3d local = portal.frame.to_local(x);
-  const Vec3d first = portal.frame.to_local(portal.vertices[0]);
-  Vec3d low = first, high = first;
-  for (const Vec3d& vertex : portal.vertices) {
-    const Vec3d corner = portal.frame.to_local(vertex);
-    low = {std::min(low.x, corner.x), std::min(low.y, corner.y), 0.0};
-    high = {std::max(high.x, corner.x), std::max(high.y, corner.y), 0.0};
-  }
+  const PlaneBox box = box_of(portal.aperture);
+  const Vec3d low{box.low_x, box.low_y, 0.0}, high{box.high_x, box.high_y, 0.0};
+  const Vec3d first = is_curved(portal.aperture) ? low : portal.frame.to_local(portal.vertices[0]);
   SurfacePoint point;
   point.position = x;
   point.normal = portal.frame.normal;

@@ -21,9 +21,8 @@ class PortalBackLight {
   [[nodiscard]] Rgb power() const;
 
  private:
-  [[nodiscard]] TriangleCorners triangle(std::size_t index) const;
-
   Portal portal_;
+  std::vector<TriangleCorners> triangles_;  ///< of a curved face, so that they have its area
   Texture emitted_;
   TriangleChoice choice_;
 };

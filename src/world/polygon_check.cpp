@@ -14,26 +14,12 @@ namespace {
 /// All relative to the longest edge.
 constexpr double coincident = 1e-9;
 constexpr double planar = 1e-6;
-constexpr double convex = 1e-9;
 
 Vec3d doubled_area(const std::vector<Vec3d>& vertices) {
   Vec3d sum;
   for (std::size_t i = 2; i < vertices.size(); ++i)
     sum += cross(vertices[i - 1] - vertices[0], vertices[i] - vertices[0]);
   return sum;
-}
-
-/// The first vertex found on the wrong side of an edge.
-std::optional<std::size_t> reentrant(const std::vector<Vec3d>& vertices, const Frame& frame,
-                                     double longest) {
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const Vec3d& from = vertices[i];
-    const Vec3d edge = normalize(vertices[(i + 1) % vertices.size()] - from);
-    const Vec3d inward = cross(frame.normal, edge);
-    for (std::size_t j = 0; j < vertices.size(); ++j)
-      if (dot(vertices[j] - from, inward) < -convex * longest) return j;
-  }
-  return std::nullopt;
 }
 
 }  // namespace
@@ -72,11 +58,17 @@ std::optional<PolygonFault> polygon_fault(const std::vector<Vec3d>& vertices) {
           fmt::format("vertices are not in one plane: vertex {} is off by {:.3g}", i, height),
           "move them into one plane, to 1e-6 of the longest edge"};
   }
-  if (const auto wrong = reentrant(vertices, frame, longest))
+  const std::vector<Vec3d> corners = polygon_input(vertices).local_vertices();
+  if (reentrant_corner(corners) == corners.size()) return std::nullopt;
+  if (const auto met = edges_that_meet(corners)) {
+    const auto next = [&](std::size_t i) { return (i + 1) % vertices.size(); };
     return PolygonFault{
-        fmt::format("vertices do not form a convex polygon (see vertex {})", *wrong),
-        "list the corners of a convex polygon in order, counter-clockwise seen "
-        "from the front"};
+        fmt::format("vertices do not form a simple polygon: the edge from vertex {} to {} meets "
+                    "that from {} to {}",
+                    met->first, next(met->first), met->second, next(met->second)),
+        "list the corners in order around the polygon, counter-clockwise seen from the front, so "
+        "that no edge crosses or touches another"};
+  }
   return std::nullopt;
 }
 

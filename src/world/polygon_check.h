@@ -1,5 +1,5 @@
 /// \file
-/// Whether a list of vertices is the convex planar polygon that a portal must be.
+/// Whether a list of vertices is a simple planar polygon, as a portal may be one.
 #pragma once
 
 #include <optional>

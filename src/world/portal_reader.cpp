@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/words.h"
+#include "world/face_reader.h"
 #include "world/polygon_check.h"
 
 namespace portalens {
@@ -15,21 +16,8 @@ namespace {
 /// Largest error of a pair's congruence, relative to the longest edge.
 constexpr double congruent = 1e-6;
 
-constexpr std::size_t max_vertices = 64;
 constexpr std::size_t max_compared = 1000;  // names a misspelt one is held against
 constexpr std::size_t max_guesses = 100;    // among so many faults nobody needs another
-
-std::vector<Vec3d> as_vectors(const std::vector<Triple>& points) {
-  std::vector<Vec3d> vectors;
-  for (const Triple& point : points) vectors.push_back(to_vec3(point));
-  return vectors;
-}
-
-Vec3d mean(const std::vector<Vec3d>& points) {
-  Vec3d sum;
-  for (const Vec3d& point : points) sum += point - points[0];
-  return points.empty() ? Vec3d{} : points[0] + sum / static_cast<double>(points.size());
-}
 
 /// At which of its vertices B's list should begin so that it is congruent with A's; 0 if nowhere.
 std::size_t better_start(const std::vector<Vec3d>& a, std::vector<Vec3d> b) {
@@ -40,15 +28,25 @@ std::size_t better_start(const std::vector<Vec3d>& a, std::vector<Vec3d> b) {
   return 0;
 }
 
-std::string remedy_for(const std::string& name, const std::vector<Vec3d>& a,
-                       const std::vector<Vec3d>& b) {
-  if (a.size() == b.size()) {
-    if (const std::size_t start = better_start(a, b))
-      return fmt::format("begin the list of {} with its vertex {}", in_quotes(name), start);
+std::string remedy_for(const Portal& a, const Portal& b) {
+  if (a.aperture.index() != b.aperture.index())
+    return "give two faces of the same kind, size and shape";
+  if (is_curved(a.aperture)) return "give both the same radii, to 1e-6 of the longer diameter";
+  if (a.vertices.size() == b.vertices.size()) {
+    if (const std::size_t start = better_start(a.vertices, b.vertices))
+      return fmt::format("begin the list of {} with its vertex {}", in_quotes(b.name), start);
   }
   return "give two polygons of the same size and shape, mirror images of each other, to 1e-6 of "
          "the "
          "longest edge: v0, v1 of one correspond to v1, v0 of the other";
+}
+
+/// By its vertices, or what stands for them.
+std::string face_of(const Portal& portal) {
+  if (!is_curved(portal.aperture)) return written(portal.vertices);
+  const PlaneBox box = box_of(portal.aperture);
+  return fmt::format("{} of radii {:.6g} and {:.6g}", name_of(portal.aperture),
+                     0.5 * (box.high_x - box.low_x), 0.5 * (box.high_y - box.low_y));
 }
 
 }  // namespace
@@ -57,12 +55,11 @@ void PortalReader::read(Parameters& parameters, const std::string& name, Materia
                         const Physics& physics, std::vector<Mass>& masses) {
   Read read;
   read.where = parameters.where();
-  read.vertices = parameters.where("vertices");
+  read.shape = parameters.where(shape_key(parameters));
   read.pair_where = parameters.where("pair");
   read.pair = parameters.text("pair");
   Portal& portal = read.portal;
   portal.name = name;
-  portal.vertices = as_vectors(parameters.points("vertices", 3, max_vertices));
   portal.tint = to_vec3(parameters.triple("tint", non_negative, Triple{1, 1, 1}));
   read.back = parameters.where("back");
   if (parameters.has("back")) {
@@ -71,15 +68,11 @@ void PortalReader::read(Parameters& parameters, const std::string& name, Materia
     if (back != "open" && back != "portal")
       portal.back_material = materials.named_by(parameters, "back");
   }
-  if (!portal.vertices.empty()) {
-    if (const auto fault = polygon_fault(portal.vertices)) {
-      parameters.fault("vertices", in_quotes(name) + ": " + fault->problem, fault->remedy);
-    } else {
-      read.sound = true;
-      give_face(portal, polygon_input(portal.vertices));
-    }
+  if (const std::optional<FaceInput> face = read_face(parameters, name)) {
+    read.sound = true;
+    give_face(portal, *face);
   }
-  (void)read_mass(parameters, name, MassKey::optional, mean(portal.vertices), physics, masses);
+  (void)read_mass(parameters, name, MassKey::optional, portal.frame.origin, physics, masses);
   by_name_.emplace(name, static_cast<std::uint32_t>(portals_.size()));
   portals_.push_back(std::move(read));
 }
@@ -122,16 +115,21 @@ void PortalReader::check_backs(const Read& a, const Read& b) const {
 }
 
 void PortalReader::check_congruent(const Read& a, const Read& b) const {
-  const double error = congruence_error(a.portal.vertices, b.portal.vertices);
+  const double error = mismatch(a.portal.aperture, b.portal.aperture);
   if (error <= congruent) return;
-  const std::string how = std::isfinite(error)
-                              ? fmt::format("they differ by {:.3g} of the longest edge", error)
-                              : std::string("they have different numbers of vertices");
-  faults_->add(b.vertices,
-               fmt::format("portals {} ({}) and {} ({}) are not congruent: {}",
-                           in_quotes(a.portal.name), written(a.portal.vertices),
-                           in_quotes(b.portal.name), written(b.portal.vertices), how),
-               remedy_for(b.portal.name, a.portal.vertices, b.portal.vertices));
+  const bool alike = a.portal.aperture.index() == b.portal.aperture.index();
+  const std::string how =
+      std::isfinite(error)
+          ? fmt::format("they differ by {:.3g} of the {}", error,
+                        is_curved(a.portal.aperture) ? "longer diameter" : "longest edge")
+      : alike ? std::string("they have different numbers of vertices")
+              : fmt::format("they are a pair of {} and {}", name_of(a.portal.aperture),
+                            name_of(b.portal.aperture));
+  faults_->add(
+      b.shape,
+      fmt::format("portals {} ({}) and {} ({}) are not congruent: {}", in_quotes(a.portal.name),
+                  face_of(a.portal), in_quotes(b.portal.name), face_of(b.portal), how),
+      remedy_for(a.portal, b.portal));
 }
 
 std::vector<Portal> PortalReader::join() {

@@ -29,8 +29,8 @@ class PortalReader {
   struct Read {
     Portal portal;
     std::string pair;
-    Location where, vertices, pair_where, back;
-    bool sound = false;  ///< its polygon is fit to be one
+    Location where, shape, pair_where, back;
+    bool sound = false;  ///< it has a face
   };
 
   [[nodiscard]] std::optional<std::uint32_t> partner(std::uint32_t index) const;

@@ -56,9 +56,19 @@ Vec3d tint_of(std::size_t portal) {
   return {1.0 - 0.017 * (k + 1.0), 1.0 - 0.0031 * (k * k + 1.0), 1.0};
 }
 
+std::string face_of(const DraftPortal& portal) {
+  const std::vector<Vec3d>& corners = portal.corners;
+  if (!portal.round) return fmt::format("vertices = {}\n", written(corners));
+  const Vec3d across = corners[1] - corners[0], along = corners[3] - corners[0];
+  return fmt::format("center = {}\nfacing = {}\nup = {}\nradius = [{}, {}]\n",
+                     written((corners[0] + corners[2]) * 0.5),
+                     written(normalize(cross(across, along))), written(normalize(along)),
+                     0.5 * length(across), 0.5 * length(along));
+}
+
 std::string written(const DraftPortal& portal, std::size_t index) {
-  return fmt::format("[[portal]]\nname = \"p{}\"\npair = \"p{}\"\nvertices = {}\ntint = {}\n",
-                     index, index ^ 1u, written(portal.corners), written(tint_of(index))) +
+  return fmt::format("[[portal]]\nname = \"p{}\"\npair = \"p{}\"\n{}tint = {}\n", index, index ^ 1u,
+                     face_of(portal), written(tint_of(index))) +
          (portal.solid_back ? "back = \"grey\"\n" : "") + written(portal.weight);
 }
 

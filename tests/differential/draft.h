@@ -39,6 +39,7 @@ struct DraftPortal {
   std::vector<Vec3d> corners;
   DraftWeight weight;
   bool solid_back = false;
+  bool round = false;  ///< an ellipse; the corners are those of the rectangle about it
 };
 
 struct DraftCamera {

@@ -28,6 +28,20 @@ std::vector<Vec3d> irregular(Lot& lot, int corners, double size) {
   return polygon;
 }
 
+/// A star, or an L.
+std::vector<Vec3d> notched(Lot& lot, double size) {
+  if (lot.chance(0.5)) {
+    const double x = size * lot.uniform(-0.5, 0.5), y = size * lot.uniform(-0.5, 0.5);
+    return {{-size, -size, 0}, {size, -size, 0}, {size, y, 0},
+            {x, y, 0},         {x, size, 0},     {-size, size, 0}};
+  }
+  const int points = lot.whole(3, 6);
+  const double inner = lot.uniform(0.25, 0.7) * std::cos(std::numbers::pi / points);
+  std::vector<Vec3d> polygon = regular(2 * points, size, lot.uniform(0.0, 2.0));
+  for (std::size_t i = 1; i < polygon.size(); i += 2) polygon[i] = polygon[i] * inner;
+  return polygon;
+}
+
 /// Numbers as people write them: so many digits.
 double rounded(double x, int digits) {
   if (x == 0.0) return 0.0;
@@ -45,14 +59,24 @@ std::vector<Vec3d> rectangle(double width, double height) {
 }
 
 std::vector<Vec3d> random_polygon(Lot& lot, double size) {
-  switch (lot.weighted({0.6, 0.2, 0.2})) {
+  switch (lot.weighted({0.5, 0.15, 0.15, 0.2})) {
     case 0:
       return rectangle(1.4 * size, 1.4 * size * lot.logarithmic(0.25, 1.0));
     case 1:
       return regular(lot.whole(3, 8), size, lot.uniform(0.0, 2.0));
+    case 3:
+      return notched(lot, size);
     default:
       return irregular(lot, lot.whole(3, 8), size);
   }
+}
+
+bool is_rectangle(const std::vector<Vec3d>& polygon) {
+  if (polygon.size() != 4) return false;
+  const Vec3d across = polygon[1] - polygon[0], along = polygon[3] - polygon[0];
+  const double size = length(across) * length(along);
+  return length(polygon[2] - polygon[1] - along) < 1e-12 * length(along) &&
+         std::fabs(dot(across, along)) < 1e-12 * size;
 }
 
 void add_pair(Draft& draft, const std::vector<Vec3d>& polygon, const Frame& a, const Frame& b) {

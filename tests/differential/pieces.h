@@ -15,11 +15,13 @@ inline constexpr double light_speed2 = 45.0 * 45.0;
 /// Radius of influence of a mass.
 [[nodiscard]] double influence_of(const Draft& draft, double mass);
 
-/// A convex polygon about the origin of its frame, counter-clockwise, no farther than `size` from
+/// A simple polygon about the origin of its frame, counter-clockwise, no farther than `size` from
 /// it.
 [[nodiscard]] std::vector<Vec3d> random_polygon(Lot& lot, double size);
 /// Four corners, `width` by `height`, about the origin.
 [[nodiscard]] std::vector<Vec3d> rectangle(double width, double height);
+
+[[nodiscard]] bool is_rectangle(const std::vector<Vec3d>& polygon);
 
 /// Adds a pair: the polygon in the one frame, and what fits it in the other.
 void add_pair(Draft& draft, const std::vector<Vec3d>& polygon, const Frame& a, const Frame& b);

@@ -124,7 +124,8 @@ TEST(Faults, OfPortals) {
   expect_each({
       {a("[[0,0,0], [2,0,0]]"), 4, "list of 2", "3 to 64"},
       {a("[[0,0,0], [2,0,0], [2,2,0.1], [0,2,0]]"), 4, "not in one plane", "one plane"},
-      {a("[[0,0,0], [2,0,0], [0.5,0.5,0], [0,2,0]]"), 4, "convex", "counter-clockwise"},
+      {a("[[0,0,0], [2,0,0], [0,2,0], [2.5,2.5,0]]"), 4, "vertex 1 to 2 meets that from 3 to 0",
+       "counter-clockwise"},
       {a("[[0,0,0], [2,0,0], [2,0,0], [0,2,0]]"), 4, "vertices 1 and 2 coincide", "once"},
       {a("[[0,0,0], [1,0,0], [2,0,0]]"), 4, "on one line", "area"},
       {a("[[0,0,0], [2,0,0], [2,3,0], [0,3,0]]"), 8, "not congruent", "same size"},
@@ -139,6 +140,37 @@ TEST(Faults, OfPortals) {
       {portal("a", "b", square) + b + "back = \"portal\"\n", 9, "its pair 'a' has not", "neither"},
       {sphere + portal("a", "sphere0", square), 6, "no portal has the name 'sphere0'", ""},
   });
+}
+
+/// A portal about a center, with these keys besides.
+std::string about(const std::string& name, const std::string& pair, const std::string& keys) {
+  return "[[portal]]\nname = \"" + name + "\"\npair = \"" + pair +
+         "\"\ncenter = [0, 0, 0]\nfacing = [0, 0, 1]\n" + keys + "\n";
+}
+
+TEST(Faults, OfPortalsAboutACenter) {
+  const std::string b = about("b", "a", "radius = 1.2");
+  const auto a = [&](const std::string& keys) { return about("a", "b", keys) + b; };
+  expect_each({
+      {a("radius = 0"), 6, "'radius' is an integer", "a number, or [across, along]"},
+      {a("radius = [1, 2, 3]"), 6, "'radius' is", "[across, along]"},
+      {a("size = 2"), 6, "'size' is", "[width, height]"},
+      {a("radius = [1, 1e-7]"), 6, "more than a million times", "more alike"},
+      {a("radius = 1.2\nup = [0, 0, 2]"), 7, "along 'facing'", "aside"},
+      {a("radius = 1.2\nsize = [1, 2]"), 7, "a size and a radius", "rectangle"},
+      {a(""), 4, "no shape about it", "radius"},
+      {a("radius = 1.3"), 12, "they differ by 0.0385 of the longer diameter", "the same radii"},
+      {a("size = [2, 2]"), 12, "a pair of convex polygon and ellipse", "same kind"},
+      {portal("a", "b", square) + "radius = 1.2\n" + b, 5, "vertices, and a center", "alone"},
+  });
+}
+
+TEST(Faults, NoneOfPortalsAboutACenter) {
+  const std::string two_sided = "\nback = \"portal\"";
+  for (const char* keys : {"radius = 1", "radius = [1.2, 0.8]", "size = [2, 3]\nup = [1, 1, 0]"})
+    EXPECT_TRUE(
+        faults_of(about("a", "b", keys + two_sided) + about("b", "a", keys + two_sided)).empty())
+        << keys;
 }
 
 TEST(Faults, BothPolygonsOfAPairThatDoesNotMatchAreNamed) {
