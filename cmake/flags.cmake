@@ -11,7 +11,7 @@ if(PORTALENS_SANITIZE)
     -fsanitize=${PORTALENS_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(portalens_flags INTERFACE -fsanitize=${PORTALENS_SANITIZE})
 endif()
-if(PORTALENS_STD_THREADS)
+if(PORTALENS_STD_THREADS OR PORTALENS_PORTABLE)
   target_compile_definitions(portalens_flags INTERFACE PORTALENS_STD_THREADS)
 endif()
 if(PORTALENS_FUZZ)  # toml++ compiled in, so that the fuzzer sees into it

@@ -1,10 +1,10 @@
 #include "io/image_bytes.h"
 
-#include <zlib.h>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
+
+#include "io/checksums.h"
 
 namespace portalens {
 namespace {
@@ -50,8 +50,7 @@ std::optional<std::string> bare_png(std::string_view bytes) {
     if (length > bytes.size() - at - frame) return std::nullopt;
     name = bytes.substr(at + 4, 4);
     const std::string_view named = bytes.substr(at + 4, 4 + length);
-    const auto* data = reinterpret_cast<const Bytef*>(named.data());
-    if (crc32_z(0, data, named.size()) != word_at(bytes, at + 8 + length)) return std::nullopt;
+    if (crc32(named) != word_at(bytes, at + 8 + length)) return std::nullopt;
     const bool needed = name[0] >= 'A' && name[0] <= 'Z';
     if (needed || name == "tRNS") result += bytes.substr(at, frame + length);
     at += frame + length;

@@ -2,13 +2,13 @@
 // base64. Positions and colours are floats, colours linear, as the format has them.
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <string_view>
 #include <utility>
 
+#include "io/bits.h"
 #include "io/polylines.h"
 #include "math/triangulate.h"
 
@@ -82,7 +82,7 @@ class Document {
   std::size_t view(const Number* numbers, std::size_t count, int target) {
     const std::size_t begin = bytes_.size();
     for (std::size_t i = 0; i < count; ++i) {
-      const auto bits = std::bit_cast<std::uint32_t>(numbers[i]);
+      const auto bits = bit_cast<std::uint32_t>(numbers[i]);
       for (int shift = 0; shift < 32; shift += 8) bytes_ += static_cast<char>(bits >> shift & 0xff);
     }
     return append(

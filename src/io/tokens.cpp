@@ -1,8 +1,11 @@
 #include "io/tokens.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
+#include <string>
 #include <system_error>
 
 namespace portalens {
@@ -23,13 +26,30 @@ std::string_view without_plus(std::string_view word) {
   return plus ? word.substr(1) : word;
 }
 
+/// `std::from_chars`, which emscripten's library lacks for doubles.
+std::from_chars_result read_double(const char* begin, const char* end, double& number) {
+#ifdef __cpp_lib_to_chars
+  return std::from_chars(begin, end, number);
+#else
+  const std::string word(begin, end);
+  if (word.find_first_not_of("0123456789+-.eE") != word.npos || word.find('+') == 0)
+    return {begin, std::errc::invalid_argument};
+  char* read = nullptr;
+  errno = 0;
+  number = std::strtod(word.c_str(), &read);
+  return {begin + (read - word.c_str()), errno == ERANGE        ? std::errc::result_out_of_range
+                                         : read == word.c_str() ? std::errc::invalid_argument
+                                                                : std::errc{}};
+#endif
+}
+
 }  // namespace
 
 std::optional<double> parse_number(std::string_view word) {
   word = without_plus(word);
   double number = 0.0;
   const char* end = word.data() + word.size();
-  const auto result = std::from_chars(word.data(), end, number);
+  const auto result = read_double(word.data(), end, number);
   if (result.ptr != end) return std::nullopt;
   if (result.ec == std::errc::result_out_of_range) {
     const bool tiny = word.find("e-") != word.npos || word.find("E-") != word.npos;

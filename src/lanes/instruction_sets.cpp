@@ -6,8 +6,9 @@
 namespace portalens {
 namespace {
 
-/// From the narrowest to the widest.
+/// From the narrowest to the widest. Other processors than Intel's kind have none.
 std::array<LaneEngine, 3> engines() {
+#ifdef __x86_64__
   __builtin_cpu_init();
   const bool sse4 = __builtin_cpu_supports("sse4.2");
   const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
@@ -16,6 +17,9 @@ std::array<LaneEngine, 3> engines() {
   return {{{"sse4", sse4 ? step_lanes_sse4 : nullptr},
            {"avx2", avx2 ? step_lanes_avx2 : nullptr},
            {"avx512", avx512 ? step_lanes_avx512 : nullptr}}};
+#else
+  return {{{"sse4", nullptr}, {"avx2", nullptr}, {"avx512", nullptr}}};
+#endif
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 /// \file
 /// Work on several threads. The only file that knows oneTBB; with PORTALENS_STD_THREADS it is built
-/// on std::jthread instead, because the thread sanitizer reports falsely through Debian's oneTBB.
+/// on std::jthread instead, because the thread sanitizer reports falsely through Debian's oneTBB,
+/// and for builds that do without it; with PORTALENS_ONE_THREAD, where there are no threads, on
+/// none.
 #pragma once
 
 #include <atomic>
@@ -10,7 +12,7 @@
 #include <thread>
 #include <vector>
 
-#ifndef PORTALENS_STD_THREADS
+#if !defined(PORTALENS_STD_THREADS) && !defined(PORTALENS_ONE_THREAD)
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -20,16 +22,23 @@ namespace portalens {
 
 /// As many threads as the machine runs at once, at least 1.
 [[nodiscard]] inline int available_threads() {
+#ifdef PORTALENS_ONE_THREAD
+  return 1;
+#else
   const unsigned count = std::thread::hardware_concurrency();
   return count == 0 ? 1 : static_cast<int>(count);
+#endif
 }
 
-/// Runs `worker()` once on each of `threads` threads, and waits for all of them.
+/// Runs `worker()` once on each of `threads` threads, and waits for all of them; one after the
+/// other where there are no threads.
 /// @pre threads >= 1
 /// @throws what a worker threw first
 template <class Worker>
 void on_threads(int threads, const Worker& worker) {
-#ifdef PORTALENS_STD_THREADS
+#if defined(PORTALENS_ONE_THREAD)
+  for (int i = 0; i < threads; ++i) worker();
+#elif defined(PORTALENS_STD_THREADS)
   std::exception_ptr failure;
   std::mutex guard;
   {

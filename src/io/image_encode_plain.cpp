@@ -1,0 +1,11 @@
+// Pictures encoded without OpenImageIO, in builds without it (PORTALENS_PORTABLE).
+#include "io/image_encode.h"
+#include "io/plain_pictures.h"
+
+namespace portalens {
+
+std::vector<unsigned char> encode_exr(const EncodedPicture& picture) { return plain_exr(picture); }
+
+std::vector<unsigned char> encode_png(const EncodedPicture& picture) { return plain_png(picture); }
+
+}  // namespace portalens
