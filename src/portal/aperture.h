@@ -23,7 +23,8 @@
 ///                                                    the most
 ///   double distance_to_discontinuity(Vec3d local, double tolerance) const;
 ///       a lower bound of the distance from `local` to where the nearest point jumps
-///   double still(Feature, Vec3d local) const;        within this distance it does not move at all
+///   double still(Feature, Vec3d local) const;
+///       within this distance it does not move at all, unless it jumps
 ///   edges() const;     in order, none of what is curved
 ///   outline() const;   corners, counter-clockwise; of a curved rim, those of a polygon around it
 ///   std::vector<std::vector<Vec3d>> pieces() const;  convex polygons that make up the outline
