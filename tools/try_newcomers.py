@@ -155,12 +155,37 @@ struct NewcomerCoupling {
   Pull pull(Vec3d, Vec3d) const { return {}; }
   std::uint64_t signature(Vec3d) const { return 0; }
   std::vector<PullPart> parts(Vec3d) const { return {}; }
-  double quiet(Vec3d) const { return std::numeric_limits<double>::infinity(); }
+  double distance_to_support(Vec3d) const { return std::numeric_limits<double>::infinity(); }
 };
 }
 """,
         physics='portal_gravity = "newcomer_coupling"\n',
         told=("physics", "portal_gravity", "newcomer_coupling"),
+    ),
+    List(
+        header="gravity/law.h",
+        variant="Law",
+        newcomer="NewcomerLaw",
+        body="""
+#include <cmath>
+#include <string_view>
+namespace portalens {
+struct NewcomerLaw {
+  static constexpr std::string_view name = "newcomer_law";
+  static constexpr bool uniform = false;
+  static constexpr bool bare_masses = true;
+  template <class Real>
+  static Real weight(Real w) { return Real(1.0) + w; }
+  template <class Real>
+  static Real weight_slope(Real) { return Real(1.0); }
+  static double log_index(double w) { return w + 0.5 * w * w; }
+  static double clock(double w) { return std::exp(-w); }
+  static double horizon_radius(double m, double) { return 2.0 * m; }
+};
+}
+""",
+        physics='law = "newcomer_law"\n',
+        told=("physics", "law", "newcomer_law"),
     ),
     List(
         header="photon/integrator.h",
@@ -233,7 +258,7 @@ def refresh(folder):
     """Copies the sources; files that are the same keep their time, so that they build no more."""
     with tempfile.TemporaryDirectory() as fresh:
         fresh = pathlib.Path(fresh)
-        for name in ("src", "cmake", "tests", "fuzz"):
+        for name in ("src", "include", "cmake", "examples", "tests", "fuzz"):
             shutil.copytree(ROOT / name, fresh / name)
         shutil.copy(ROOT / "CMakeLists.txt", fresh)
         add_newcomers(fresh / "src")
@@ -243,7 +268,7 @@ def refresh(folder):
             if not to.is_file() or to.read_bytes() != (fresh / name).read_bytes():
                 to.parent.mkdir(parents=True, exist_ok=True)
                 shutil.copy(fresh / name, to)
-        for name in ("src", "cmake", "tests", "fuzz"):
+        for name in ("src", "include", "cmake", "examples", "tests", "fuzz"):
             for file in list((folder / name).rglob("*")):
                 if file.is_file() and file.relative_to(folder) not in wanted:
                     file.unlink()
