@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "math/multiply_add.h"
 
@@ -46,22 +47,6 @@ template <class Real>
 /// Stands for `path_weight` where a mass acts through a portal: light can't come near it.
 inline constexpr double distant_weight = 0.3;
 
-template <class Real>
-struct InversePowers {
-  Real first, second;  ///< 1/d and 1/d²
-};
-
-/// @param q  d²
-[[nodiscard]] inline InversePowers<double> inverse_powers(double q) {
-  const double second = 1.0 / q;
-  return {std::sqrt(second), second};
-}
-template <class Real>
-[[nodiscard]] InversePowers<Real> inverse_powers(Real q) {
-  const Real first = inverse_sqrt(q);
-  return {first, first * first};
-}
-
 /// Of one mass, at the distance d, with its core.
 template <class Real>
 struct MassPull {
@@ -70,8 +55,13 @@ struct MassPull {
   /// @param q  d²
   /// @param m  G M / c²
   [[nodiscard]] static MassPull of(Real q, Real m) {
-    const InversePowers<Real> powers = inverse_powers(q);
-    return {powers.first, powers.second, m * powers.second * powers.first};
+    if constexpr (std::is_same_v<Real, double>) {
+      const double inverse2 = 1.0 / q, inverse = std::sqrt(inverse2);
+      return {inverse, inverse2, m * inverse2 * inverse};
+    } else {
+      const Real inverse = inverse_sqrt(q), inverse2 = inverse * inverse;
+      return {inverse, inverse2, m * inverse2 * inverse};
+    }
   }
 };
 
@@ -104,10 +94,11 @@ template <class Real>
 template <class Real>
 void add_bending(BendingOf<Real>& sum, Vec3<Real> to_mass, Real q, Real along, Real m, Real m2) {
   using std::max;
-  const Real b2 = max(subtract_product(q, along, along), Real(0));
+  const Real b2 = subtract_product(q, along, along);
   const MassPull<Real> pull = MassPull<Real>::of(q, m);
   sum.acceleration = multiply_add(to_mass, pull.pull, sum.acceleration);
-  sum.stiffness = multiply_add(pull.pull * pull.inverse2, path_weight(m2, b2), sum.stiffness);
+  sum.stiffness =
+      multiply_add(pull.pull * pull.inverse2, path_weight(m2, max(b2, Real(0))), sum.stiffness);
   const Real nearness = multiply_add(pull.inverse2 * pull.inverse2,
                                      approach_weight(along * pull.inverse), sum.nearness);
   sum.nearness = select(m > Real(0), nearness, sum.nearness);
