@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <tuple>
 
 namespace portalens::differential {
@@ -204,10 +205,10 @@ std::string json_of(const std::vector<Entry>& entries) {
   std::string text = "{\"scenes\": [";
   for (const Entry& entry : entries) {
     const Comparison& c = entry.comparison;
-    text += fmt::format(
-        "{}\n{{\"index\": {}, \"kind\": \"{}\", \"outcome\": \"{}\", \"reason\": \"{}\"",
-        &entry == &entries.front() ? "" : ",", entry.index, entry.kind,
-        outcomes[static_cast<std::size_t>(c.outcome)], c.reason);
+    text +=
+        fmt::format("{}\n{{\"index\": {}, \"kind\": \"{}\", \"outcome\": \"{}\", \"reason\": {}",
+                    &entry == &entries.front() ? "" : ",", entry.index, entry.kind,
+                    outcomes[static_cast<std::size_t>(c.outcome)], nlohmann::json(c.reason).dump());
     if (c.outcome == Outcome::in_lanes)
       text += fmt::format(", \"reference_steps\": {}, \"lanes\": {}, \"scalar\": {}",
                           c.reference_steps, column(c.lanes), column(c.scalar));
