@@ -27,10 +27,10 @@ std::string light_text(Rgb light) {
 }
 
 /// Each layer under its name, in the float of the picture.
-Json layers_json(const FirstHit& sight) {
+Json layers_json(const FirstHit& first_hit) {
   Json json = Json::object();
   for (int i = 0; i < layer_count; ++i) {
-    const std::vector<float> values = channel_values(sight, static_cast<Layer>(i));
+    const std::vector<float> values = channel_values(first_hit, static_cast<Layer>(i));
     json[std::string(layer_names[i])] = values.size() == 1 ? Json(values.front()) : Json(values);
   }
   return json;
@@ -70,7 +70,7 @@ Json trace_json(const World& world, const Trace& trace, int max_bounces, PathOut
     const Vec3d x = trace.start.position, t = trace.start.direction;
     json["ray"] = {x.x, x.y, x.z, t.x, t.y, t.z};
     json["light"] = to_json(sum_of(trace.view->contributions));
-    json["layers"] = layers_json(trace.view->sight);
+    json["layers"] = layers_json(trace.view->first_hit);
   }
   if (path == PathOutput::included) {
     Json& stretches = json["path"] = Json::array();
@@ -104,8 +104,8 @@ std::string trace_text(const World& world, const Trace& trace, PathOutput path) 
             world.space.portals.portals()[trace.path_trace.crossings[i]].name;
   if (trace.view) {
     text += "; " + light_text(trace.view->contributions.back());
-    if (trace.view->sight.order > 0)
-      text += fmt::format("; image of order {}", trace.view->sight.order);
+    if (trace.view->first_hit.order > 0)
+      text += fmt::format("; image of order {}", trace.view->first_hit.order);
   }
   text += '\n';
   if (path == PathOutput::included)

@@ -48,28 +48,28 @@ std::vector<float> three(Vec3d v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
-std::vector<float> raw_values(const FirstHit& sight, Layer layer) {
+std::vector<float> raw_values(const FirstHit& first_hit, Layer layer) {
   switch (layer) {
     case Layer::depth:
-      return {static_cast<float>(sight.depth)};
+      return {static_cast<float>(first_hit.depth)};
     case Layer::normal:
-      return three(sight.normal);
+      return three(first_hit.normal);
     case Layer::albedo:
-      return three(sight.albedo);
+      return three(first_hit.albedo);
     case Layer::object:
-      return {static_cast<float>(sight.object)};
+      return {static_cast<float>(first_hit.object)};
     case Layer::fate:
-      return {static_cast<float>(sight.fate)};
+      return {static_cast<float>(first_hit.fate)};
     case Layer::steps:
-      return {static_cast<float>(sight.steps)};
+      return {static_cast<float>(first_hit.steps)};
     case Layer::turning:
-      return {static_cast<float>(sight.turning)};
+      return {static_cast<float>(first_hit.turning)};
     case Layer::crossings:
-      return {static_cast<float>(sight.crossings)};
+      return {static_cast<float>(first_hit.crossings)};
     case Layer::order:
-      return {static_cast<float>(sight.order)};
+      return {static_cast<float>(first_hit.order)};
     case Layer::position:
-      return three(sight.position);
+      return three(first_hit.position);
   }
   return {};
 }
@@ -97,8 +97,8 @@ std::vector<std::string> channel_names(Layer layer) {
   return {std::string(layer_names[static_cast<std::size_t>(layer)]) + ".X"};
 }
 
-std::vector<float> channel_values(const FirstHit& sight, Layer layer) {
-  std::vector<float> values = raw_values(sight, layer);
+std::vector<float> channel_values(const FirstHit& first_hit, Layer layer) {
+  std::vector<float> values = raw_values(first_hit, layer);
   for (float& value : values)
     if (!std::isfinite(value)) value = 0.0f;
   return values;
@@ -113,21 +113,21 @@ std::uint32_t image_order(std::span<const Mass> masses, const Arrival& arrival,
 }
 
 FirstHit first_hit_of(const World& world, const Arrival& arrival, const PathTrace& path_trace) {
-  FirstHit sight;
-  if (arrival.fate == Fate::hit || arrival.fate == Fate::absorbed) sight.depth = arrival.length;
+  FirstHit first_hit;
+  if (arrival.fate == Fate::hit || arrival.fate == Fate::absorbed) first_hit.depth = arrival.length;
   if (arrival.fate == Fate::hit) {
     const ShadedSurface place = shaded_surface(world.space, world.appearance, arrival);
-    sight.normal = place.point.normal;
-    sight.albedo = albedo_of(world.appearance, place, -arrival.direction);
+    first_hit.normal = place.point.normal;
+    first_hit.albedo = albedo_of(world.appearance, place, -arrival.direction);
   }
-  sight.object = object_of(world, arrival);
-  sight.fate = arrival.fate;
-  sight.steps = arrival.steps;
-  sight.turning = arrival.turning;
-  sight.crossings = arrival.crossings;
-  sight.order = image_order(world.space.masses, arrival, path_trace);
-  sight.position = arrival.position;
-  return sight;
+  first_hit.object = object_of(world, arrival);
+  first_hit.fate = arrival.fate;
+  first_hit.steps = arrival.steps;
+  first_hit.turning = arrival.turning;
+  first_hit.crossings = arrival.crossings;
+  first_hit.order = image_order(world.space.masses, arrival, path_trace);
+  first_hit.position = arrival.position;
+  return first_hit;
 }
 
 std::vector<std::string> object_names(const World& world) {
@@ -149,10 +149,10 @@ void take_layers(const World& world, int x, int y, std::span<const Layer> layers
   PathTrace path_trace;
   const Arrival arrival =
       advance_recorded(world.space, camera_photon(world, {x, y, 0}), path_trace);
-  const FirstHit sight = first_hit_of(world, arrival, path_trace);
+  const FirstHit first_hit = first_hit_of(world, arrival, path_trace);
   std::size_t channel = 0;
   for (const Layer layer : layers)
-    for (const float value : channel_values(sight, layer)) values[channel++] = value;
+    for (const float value : channel_values(first_hit, layer)) values[channel++] = value;
 }
 
 }  // namespace portalens

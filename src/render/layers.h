@@ -55,7 +55,7 @@ struct FirstHit {
 
 /// The channels' values of a layer, in the order of `channel_names`. Numbers that are not finite
 /// become 0.
-[[nodiscard]] std::vector<float> channel_values(const FirstHit& sight, Layer layer);
+[[nodiscard]] std::vector<float> channel_values(const FirstHit& first_hit, Layer layer);
 
 [[nodiscard]] FirstHit first_hit_of(const World& world, const Arrival& arrival,
                                     const PathTrace& path_trace);

@@ -67,7 +67,7 @@ Trace trace_pixel(const World& world, const Photon& start, int max_bounces) {
   Arrival arrival = advance_recorded(world.space, photon, trace.path_trace);
   trace.end = arrival;
   trace.view.emplace();
-  trace.view->sight = first_hit_of(world, arrival, trace.path_trace);
+  trace.view->first_hit = first_hit_of(world, arrival, trace.path_trace);
   for (int i = 0;; ++i) {
     ShadeOutput found;
     shade(world.space, world.appearance, {&photon, 1}, {&arrival, 1}, found);

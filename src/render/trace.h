@@ -15,7 +15,7 @@ namespace portalens {
 
 /// What only a camera's photon has to tell.
 struct PixelView {
-  FirstHit sight;  ///< of its first surface: the values of the layers
+  FirstHit first_hit;  ///< of its first surface: the values of the layers
   std::vector<Rgb>
       contributions;  ///< light that reaches the film from each bounce, and from the end
 };

@@ -30,7 +30,7 @@ mass = 1000
 
 struct Followed {
   Arrival arrival;
-  FirstHit sight;
+  FirstHit first_hit;
 };
 
 Followed followed(const World& world, Vec3d position, Vec3d direction) {
@@ -47,10 +47,10 @@ TEST(ImageOrder, IsOneWhereTheWallIsSeenPastTheOtherSideOfTheHole) {
   int direct = 0, second = 0;
   for (int i = 0; i < 400; ++i) {
     const double slope = 0.0875 + 0.2 * i / 400;
-    const auto [arrival, sight] = followed(world, {0, 0, 20}, {0, slope, -1});
+    const auto [arrival, first_hit] = followed(world, {0, 0, 20}, {0, slope, -1});
     if (arrival.fate != Fate::hit) continue;
     const bool past_the_axis = arrival.position.y < 0.0;
-    ASSERT_EQ(sight.order, past_the_axis ? 1u : 0u) << slope;
+    ASSERT_EQ(first_hit.order, past_the_axis ? 1u : 0u) << slope;
     ++(past_the_axis ? second : direct);
   }
   EXPECT_GT(direct, 50);
@@ -64,9 +64,9 @@ portal = [{ name = "a", pair = "b", vertices = [[-1, -1, -3], [1, -1, -3], [1, 1
           { name = "b", pair = "a", vertices = [[1, -1, 3], [-1, -1, 3], [-1, 1, 3], [1, 1, 3]] }]
 )");
   // To and fro between facing portals, past the mass each time.
-  const auto [arrival, sight] = followed(world, {0, 0, 0}, {0.01, 0, -1});
-  EXPECT_GT(sight.crossings, 10u);
-  EXPECT_EQ(sight.order, 0u);
+  const auto [arrival, first_hit] = followed(world, {0, 0, 0}, {0.01, 0, -1});
+  EXPECT_GT(first_hit.crossings, 10u);
+  EXPECT_EQ(first_hit.order, 0u);
 }
 
 TEST(FirstHit, TellsTheFirstSurface) {
@@ -77,7 +77,7 @@ portal = [{ name = "a", pair = "b", tint = [0, 1, 0], back = "red", vertices = [
               [9, -1, -3], [11, -1, -3], [11, 1, -3], [9, 1, -3]] },
           { name = "b", pair = "a", vertices = [[-1, -1, 8], [1, -1, 8], [1, 1, 8], [-1, 1, 8]] }]
 )");
-  const FirstHit ball = followed(world, {0, 0, 0}, {0, 0, -1}).sight;
+  const FirstHit ball = followed(world, {0, 0, 0}, {0, 0, -1}).first_hit;
   EXPECT_EQ(ball.depth, 3.0);
   EXPECT_EQ(ball.normal, (Vec3d{0, 0, 1}));
   EXPECT_EQ(ball.albedo, (Rgb{0.5, 0.25, 0.125}));
@@ -85,11 +85,11 @@ portal = [{ name = "a", pair = "b", tint = [0, 1, 0], back = "red", vertices = [
   EXPECT_EQ(object_names(world)[ball.object - 1], "ball");
   EXPECT_EQ(ball.position, (Vec3d{0, 0, -3}));
 
-  const FirstHit back = followed(world, {10, 0, -9}, {0, 0, 1}).sight;
+  const FirstHit back = followed(world, {10, 0, -9}, {0, 0, 1}).first_hit;
   EXPECT_EQ(object_names(world)[back.object - 1], "a");
   EXPECT_EQ(back.normal, (Vec3d{0, 0, -1}));
 
-  const FirstHit sky = followed(world, {0, 0, 0}, {0, 1, 0}).sight;
+  const FirstHit sky = followed(world, {0, 0, 0}, {0, 1, 0}).first_hit;
   EXPECT_EQ(sky.depth, no_depth);
   EXPECT_EQ(sky.object, 0u);
   EXPECT_EQ(sky.fate, Fate::escaped);
