@@ -22,7 +22,7 @@ struct LanePlan {
   Vec3d center;
   std::vector<float> map_nodes, map_cells;  ///< that `scene.maps` look up
   IsolatedMasses isolated;                  ///< that `scene.isolated` are
-  /// The masses that `scene.masses` begin with, or those of the many masses.
+  /// The masses that `scene.masses` begin with, or those that `scene.many` holds.
   std::vector<std::uint32_t> stepped;
   MassGrid many;  ///< that `scene.many` looks into
   /// The shapes that `scene.boxes` hold: steps near those are left to the scalar engine.

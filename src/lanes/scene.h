@@ -57,7 +57,7 @@ inline constexpr int max_lane_boxes = 24;
 inline constexpr int max_lane_many = 65536;
 /// Of many masses, those that act on any lane of a pack.
 inline constexpr int max_lane_near = 2048;
-/// Larger sets of many masses leave to the scalar engine the lanes on which more than that act.
+/// Where there are more masses, lanes on which more than that act are left to the scalar engine.
 inline constexpr int max_lane_own = 63;
 
 /// More masses than `max_lane_masses`, and where they act or absorb: a grid of cubes, each with
@@ -250,7 +250,7 @@ enum class LaneEvent : std::int32_t {
   hit,      ///< a surface: `object` is the polygon's or sphere's shape
   portal,   ///< a portal's front or back: `object` is the portal
   horizon,  ///< `object` is the mass; from `first_isolated_object` an isolated one, from
-            ///< `first_many_object` one of the many masses
+            ///< `first_many_object` one of `many`
   cross,    ///< crossed the influence of an isolated mass and goes on: `object` as for `horizon`
   consult,  ///< something may be near that lanes can't judge (the step was not taken)
   resign,   ///< this way is not followed to the tolerance: it is taken again from its start
