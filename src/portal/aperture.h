@@ -53,9 +53,11 @@ using Aperture = std::variant<ConvexPolygon, ConcavePolygon, Ellipse>;
 /// The first of the list that the input is.
 [[nodiscard]] std::optional<Aperture> aperture_from(const FaceInput& input);
 
-/// Asks an aperture as `std::visit` does. Most are convex polygons: those first.
+/// Asks an aperture as `std::visit` does. Most are convex polygons: those first, and without a
+/// call, for gravity asks in every step.
 template <class Question>
-[[nodiscard]] auto ask(const Aperture& aperture, const Question& question) {
+[[nodiscard]] [[gnu::always_inline]] inline auto ask(const Aperture& aperture,
+                                                     const Question& question) {
   if (const auto* convex = std::get_if<ConvexPolygon>(&aperture)) return question(*convex);
   return std::visit(question, aperture);
 }

@@ -22,23 +22,6 @@ std::optional<ConvexPolygon> ConvexPolygon::from(const FaceInput& input) {
   return ConvexPolygon(std::move(corners));
 }
 
-Feature ConvexPolygon::nearest(Vec3d local, double tolerance) const {
-  // Inside the outline the nearest rim point is the foot on the nearest edge line; several may be
-  // equally near there. Outside of it the nearest point is unique, and the same from both sides.
-  std::uint32_t best = 0;
-  double least_inside = -std::numeric_limits<double>::infinity();
-  for (std::uint32_t i = 0; i < edges_.size(); ++i) {
-    const double outside = edges_[i].outside(local.x, local.y);
-    if (outside > 0.0) return nearest_from_outside(local.x, local.y);
-    if (outside > least_inside + tolerance) {
-      least_inside = outside;
-      best = i;
-    }
-  }
-  if (local.z >= -tolerance) return {Feature::Kind::face, 0};
-  return {Feature::Kind::edge, best};
-}
-
 Feature ConvexPolygon::nearest_from_outside(double x, double y) const {
   Feature best;
   double least = std::numeric_limits<double>::infinity();

@@ -2,6 +2,8 @@
 /// A convex polygon as the face of a portal: Dunigan & Pianta, sec. 4.
 #pragma once
 
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -37,7 +39,22 @@ class ConvexPolygon {
       if (edge.outside(x, y) > 0.0) return false;
     return true;
   }
-  [[nodiscard]] Feature nearest(Vec3d local, double tolerance) const;
+  [[nodiscard]] Feature nearest(Vec3d local, double tolerance) const {
+    // Inside the outline the nearest rim point is the foot on the nearest edge line; several may be
+    // equally near there. Outside of it the nearest point is unique, and the same from both sides.
+    std::uint32_t best = 0;
+    double least_inside = -std::numeric_limits<double>::infinity();
+    for (std::uint32_t i = 0; i < edges_.size(); ++i) {
+      const double outside = edges_[i].outside(local.x, local.y);
+      if (outside > 0.0) return nearest_from_outside(local.x, local.y);
+      if (outside > least_inside + tolerance) {
+        least_inside = outside;
+        best = i;
+      }
+    }
+    if (local.z >= -tolerance) return {Feature::Kind::face, 0};
+    return {Feature::Kind::edge, best};
+  }
   [[nodiscard]] Vec3d place(Feature feature, Vec3d local) const {
     return place_on(edges_, feature, local);
   }
