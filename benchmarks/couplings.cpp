@@ -138,8 +138,8 @@ struct PlainClosestPoint {
         reach = std::max(reach, mass.influence - std::sqrt(dx * dx + dy * dy + m.z * m.z));
       }
       if (!(length(local - q) < reach)) continue;
-      const Vec3d beyond = portal.through.move(portal.frame.to_world(q));
-      sum.acceleration += portal.through.rotate_back(direct(stage, beyond));
+      const Vec3d beyond = portal.motion()->move(portal.frame.to_world(q));
+      sum.acceleration += portal.motion()->rotate_back(direct(stage, beyond));
     }
     return sum;
   }
@@ -181,7 +181,7 @@ Verdict check(const ClosestPointCoupling& coupling, const Stage& stage, int dept
   double worst = 0.0;
   for (std::uint32_t a = 0; a < stage.portals.size(); ++a) {
     const Vec3d q = stage.portals[a].frame.to_world({0.3, -0.2, 0.0});
-    const Vec3d beyond = stage.portals[a].through.move(q);
+    const Vec3d beyond = stage.portals[a].motion()->move(q);
     Vec3d expected = direct(stage, beyond);
     for (std::uint32_t c = 0; c < stage.portals.size(); ++c) {
       if (c == stage.portals[a].pair) continue;
@@ -192,7 +192,7 @@ Verdict check(const ClosestPointCoupling& coupling, const Stage& stage, int dept
       const Vec3d next = face.frame().to_world(place);
       expected += shallow.passed_on(c, next, next).acceleration;
     }
-    const Vec3d found = stage.portals[a].through.rotate(coupling.passed_on(a, q, q).acceleration);
+    const Vec3d found = stage.portals[a].motion()->rotate(coupling.passed_on(a, q, q).acceleration);
     worst = std::max(worst, length(found - expected) / length(expected));
   }
   return {"its definition", worst, 1e-12};

@@ -100,7 +100,8 @@ Vec3d PaperMethod::acceleration(Vec3d x, int depth, std::uint32_t left_out) cons
     const Vec3d q = closest_on_front(portal, x);
     const double reach = reach_[static_cast<std::size_t>(depth) * portals.size() + i];
     if (!(dot(x - q, x - q) < reach * reach)) continue;
-    g += portal.through.rotate_back(acceleration(portal.through.move(q), depth - 1, portal.pair));
+    g += portal.motion()->rotate_back(
+        acceleration(portal.motion()->move(q), depth - 1, portal.pair));
   }
   return g;
 }
@@ -149,8 +150,8 @@ Arrival PaperMethod::advance(const Photon& photon) const {
     if (entered) {
       if (++arrival.crossings > space_.max_crossings) break;
       const Portal& portal = portals[*entered];
-      x = portal.through.move(x);
-      t = portal.through.rotate(t);
+      x = portal.motion()->move(x);
+      t = portal.motion()->rotate(t);
       left = *entered;
     } else if (met == Met::surface) {
       arrival.fate = Fate::hit;

@@ -11,7 +11,7 @@ namespace portalens {
 ClosestPointCoupling::ClosestPointCoupling(const CouplingInput& input) : depth_(input.depth) {
   gates_.reserve(input.portals.size());
   for (const Portal& portal : input.portals)
-    gates_.push_back({PortalFace(portal), portal.through, portal.pair});
+    gates_.push_back({PortalFace(portal), *portal.motion(), portal.pair});
   for (const Mass& mass : input.masses)
     if (mass.gm > 0.0)
       sources_.push_back(

@@ -20,6 +20,7 @@ namespace portalens {
 class ClosestPointCoupling {
  public:
   static constexpr std::string_view name = "closest-point";
+  static constexpr bool asks_motion = true;
 
   /// @pre depth >= 0; some reach is infinite if a mass's influence is, and then
   /// `distance_to_support` is 0.

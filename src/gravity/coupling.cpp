@@ -1,5 +1,6 @@
 #include "gravity/coupling.h"
 
+#include <algorithm>
 #include <cassert>
 
 namespace portalens {
@@ -21,6 +22,10 @@ struct List<std::variant<Types...>> {
     return made;
   }
 
+  static bool asks_motion(std::string_view name) {
+    return ((Types::name == name && Types::asks_motion) || ...);
+  }
+
   static CouplingCost cost(std::string_view name, const CouplingInput& input) {
     CouplingCost found;
     [[maybe_unused]] const bool known =
@@ -36,6 +41,13 @@ std::vector<std::string_view> coupling_names() { return List<Coupling>::names();
 
 Coupling make_coupling(std::string_view name, const CouplingInput& input) {
   return List<Coupling>::make(name, input);
+}
+
+const Portal* barred_portal(std::string_view name, std::span<const Portal> portals) {
+  if (!List<Coupling>::asks_motion(name)) return nullptr;
+  const auto barred = std::find_if(portals.begin(), portals.end(),
+                                   [](const Portal& portal) { return !portal.motion(); });
+  return barred == portals.end() ? nullptr : &*barred;
 }
 
 CouplingCost estimated_cost(std::string_view name, const CouplingInput& input) {

@@ -3,6 +3,8 @@
 ///
 /// To add one: a header beside this one, and a word in `Coupling`. Each type has
 ///   static constexpr std::string_view name;               as `physics.portal_gravity` spells it
+///   static constexpr bool asks_motion;
+///       whether every portal has to be a rigid motion; scenes where one is not are refused
 ///   explicit T(const CouplingInput&);
 ///   static CouplingCost cost(const CouplingInput&);
 ///       an estimate, before it is made
@@ -47,6 +49,10 @@ using Coupling = std::variant<NoCoupling, ClosestPointCoupling, ShortestPathCoup
 /// The coupling with that name.
 /// @pre `name` is one of `coupling_names()`
 [[nodiscard]] Coupling make_coupling(std::string_view name, const CouplingInput& input);
+
+/// The first portal through which that coupling cannot act; null if it acts through all.
+/// @pre `name` is one of `coupling_names()`
+[[nodiscard]] const Portal* barred_portal(std::string_view name, std::span<const Portal> portals);
 
 /// What that coupling will cost. Scenes beyond `coupling_budget` are refused before it is made.
 /// @pre `name` is one of `coupling_names()`

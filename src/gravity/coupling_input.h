@@ -12,7 +12,7 @@
 namespace portalens {
 
 struct CouplingInput {
-  std::span<const Portal> portals;  ///< all one-sided
+  std::span<const Portal> portals;  ///< all one-sided; each is a motion where the type asks for one
   std::span<const Mass> masses;     ///< massive portals among them
   double min_force = 0.01;          ///< f, length/time²
   int depth = 1;                    ///< portals in a row, >= 0; 0 = none

@@ -31,6 +31,7 @@ struct GravitonMapError {
 class GravitonMapCoupling {
  public:
   static constexpr std::string_view name = "graviton-map";
+  static constexpr bool asks_motion = true;
 
   explicit GravitonMapCoupling(const CouplingInput& input);
   [[nodiscard]] static CouplingCost cost(const CouplingInput& input);

@@ -12,6 +12,7 @@ namespace portalens {
 class NoCoupling {
  public:
   static constexpr std::string_view name = "none";
+  static constexpr bool asks_motion = false;
   NoCoupling() = default;
   explicit NoCoupling(const CouplingInput&) {}
   [[nodiscard]] static CouplingCost cost(const CouplingInput&) { return {}; }

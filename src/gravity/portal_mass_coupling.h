@@ -17,6 +17,7 @@ namespace portalens {
 class PortalMassCoupling {
  public:
   static constexpr std::string_view name = "portal-mass";
+  static constexpr bool asks_motion = false;
 
   explicit PortalMassCoupling(const CouplingInput& input);
   [[nodiscard]] static CouplingCost cost(const CouplingInput& input);

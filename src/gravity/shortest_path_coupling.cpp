@@ -15,7 +15,7 @@ constexpr std::size_t round_as = 16;
 
 /// Carries what lies behind the last portal of a chain back to where it seems to be.
 Vec3d unfold(std::span<const Portal> portals, std::span<const std::uint32_t> chain, Vec3d point) {
-  for (std::size_t i = chain.size(); i-- > 0;) point = portals[chain[i]].through.move_back(point);
+  for (std::size_t i = chain.size(); i-- > 0;) point = portals[chain[i]].motion()->move_back(point);
   return point;
 }
 
@@ -27,7 +27,7 @@ PortalFace unfold_face(std::span<const Portal> portals, std::span<const std::uin
   frame.origin = unfold(portals, chain, frame.origin);
   for (Vec3d* axis : {&frame.right, &frame.up, &frame.normal})
     for (std::size_t i = chain.size(); i-- > 0;)
-      *axis = portals[chain[i]].through.rotate_back(*axis);
+      *axis = portals[chain[i]].motion()->rotate_back(*axis);
   return PortalFace(aperture_at(portal, vertices, frame), frame, portal.height_tolerance());
 }
 
@@ -104,7 +104,7 @@ FaceRow ShortestPathCoupling::faces_of(const Image& image, Row& row) const {
   return {row.data(), size};
 }
 
-bool ShortestPathCoupling::decide(const Image& image, Vec3d x, FaceRow faces, Passages& out) const {
+bool ShortestPathCoupling::decide(const Image& image, Vec3d x, FaceRow faces, Turns& out) const {
   const Vec3d to = image.center - x;
   if (!(dot(to, to) < image.influence * image.influence)) return false;
   const Entrance& entrance = entrances_[links_[image.link].first];
@@ -116,11 +116,11 @@ bool ShortestPathCoupling::decide(const Image& image, Vec3d x, FaceRow faces, Pa
 
 Way ShortestPathCoupling::way(const Image& image, Vec3d x) const {
   Row row;
-  Passages passages;
+  Turns turns;
   const FaceRow faces = faces_of(image, row);
-  if (!decide(image, x, faces, passages))
+  if (!decide(image, x, faces, turns))
     return {std::numeric_limits<double>::infinity(), image.center, false};
-  return follow(x, image.center, faces, passages);
+  return follow(x, image.center, faces, turns);
 }
 
 Vec3d ShortestPathCoupling::attraction(const Image& image, Vec3d x, const Way& way) {
@@ -134,11 +134,11 @@ Vec3d ShortestPathCoupling::attraction(const Image& image, Vec3d x, const Way& w
 std::vector<PullPart> ShortestPathCoupling::parts(Vec3d x) const {
   std::vector<PullPart> found;
   Row row;
-  Passages passages;
+  Turns turns;
   for (const Image& image : images_) {
     const FaceRow faces = faces_of(image, row);
-    if (!decide(image, x, faces, passages)) continue;
-    const Polyline way = bends(x, image.center, faces, passages);
+    if (!decide(image, x, faces, turns)) continue;
+    const Polyline way = bends(x, image.center, faces, turns);
     PullPart part;
     part.portals = chain(image);
     part.mass = image.mass;
@@ -148,7 +148,7 @@ std::vector<PullPart> ShortestPathCoupling::parts(Vec3d x) const {
     const Vec3d towards = part.places.empty() ? image.center : part.places.front();
     part.acceleration = attraction(image, x, {part.distance, towards, part.places.empty()});
     part.entrance = towards;
-    if (passages[0].kind == Passage::Kind::straight) {
+    if (turns[0].kind == Turn::Kind::straight) {
       const Frame& frame = faces[0]->frame();
       const double from = frame.to_local(x).z, to = frame.to_local(towards).z;
       part.entrance = x + (towards - x) * (from > to ? from / (from - to) : 0.0);
@@ -161,11 +161,11 @@ std::vector<PullPart> ShortestPathCoupling::parts(Vec3d x) const {
 Pull ShortestPathCoupling::pull(Vec3d x, Vec3d anchor) const {
   Pull total;
   Row row;
-  Passages passages;
+  Turns turns;
   for (const Image& image : images_) {
     const FaceRow faces = faces_of(image, row);
-    if (!decide(image, anchor, faces, passages)) continue;
-    const Way way = follow(x, image.center, faces, passages);
+    if (!decide(image, anchor, faces, turns)) continue;
+    const Way way = follow(x, image.center, faces, turns);
     const Vec3d acceleration = attraction(image, x, way);
     if (acceleration == Vec3d{}) continue;
     total.acceleration += acceleration;
@@ -183,12 +183,12 @@ Pull ShortestPathCoupling::pull(Vec3d x, Vec3d anchor) const {
 std::uint64_t ShortestPathCoupling::signature(Vec3d x) const {
   std::uint64_t total = 0;
   Row row;
-  Passages passages;
+  Turns turns;
   for (std::size_t i = 0; i < images_.size(); ++i) {
     const FaceRow faces = faces_of(images_[i], row);
-    if (!decide(images_[i], x, faces, passages)) continue;
+    if (!decide(images_[i], x, faces, turns)) continue;
     std::uint64_t way = mix_decision(0, i);
-    for (std::size_t k = 0; k < faces.size(); ++k) way = mix_decision(way, passages[k].code());
+    for (std::size_t k = 0; k < faces.size(); ++k) way = mix_decision(way, turns[k].code());
     total += way;
   }
   return total;
@@ -204,11 +204,11 @@ double ShortestPathCoupling::distance_to_discontinuity(const Image& image, Vec3d
   const double least = std::max(aside, length(image.center - x)) - image.influence;
   if (least > 0.25 * image.influence) return least;
   Row row;
-  Passages passages;
+  Turns turns;
   const FaceRow faces = faces_of(image, row);
   const double limit = 1.25 * image.influence;
-  if (!shortest_passages(x, image.center, faces, limit, passages)) return 0.25 * image.influence;
-  const double beyond = follow(x, image.center, faces, passages).length - image.influence;
+  if (!shortest_passages(x, image.center, faces, limit, turns)) return 0.25 * image.influence;
+  const double beyond = follow(x, image.center, faces, turns).length - image.influence;
   if (beyond >= 0.0 || faces.size() > 1) return std::fabs(beyond);
   return std::min(-beyond, clear_passage(x, image.center, *faces[0]));
 }

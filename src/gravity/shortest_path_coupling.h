@@ -23,6 +23,7 @@ namespace portalens {
 class ShortestPathCoupling {
  public:
   static constexpr std::string_view name = "shortest-path";
+  static constexpr bool asks_motion = true;
 
   /// @pre 0 <= depth <= max_chain
   explicit ShortestPathCoupling(const CouplingInput& input);
@@ -73,7 +74,7 @@ class ShortestPathCoupling {
   [[nodiscard]] double distance_to_discontinuity(const Image& image, Vec3d x) const;
   /// What an image adds, its path being known.
   [[nodiscard]] static Vec3d attraction(const Image& image, Vec3d x, const Way& way);
-  [[nodiscard]] bool decide(const Image& image, Vec3d x, FaceRow faces, Passages& out) const;
+  [[nodiscard]] bool decide(const Image& image, Vec3d x, FaceRow faces, Turns& out) const;
 
   std::vector<Link> links_;
   std::vector<Image> images_;

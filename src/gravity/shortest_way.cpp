@@ -45,17 +45,17 @@ Slide slide_of(const PortalFace& face, std::uint32_t piece) {
   return {edge.start, edge.direction, 0.0, edge.length};
 }
 
-Passage rim_passage(const PortalFace& face, std::uint32_t edge, double place) {
+Turn rim_turn(const PortalFace& face, std::uint32_t edge, double place) {
   if (face.ellipse()) {
     constexpr double sectors = 16.0;
     const double turns = place / (2.0 * std::numbers::pi);
     const double share = turns - std::floor(turns);
-    return {Passage::Kind::edge, static_cast<std::uint32_t>(share * sectors), place};
+    return {Turn::Kind::edge, static_cast<std::uint32_t>(share * sectors), place};
   }
   const auto count = static_cast<std::uint32_t>(face.edges().size());
-  if (place <= 0.0) return {Passage::Kind::vertex, edge};
-  if (place >= face.edges()[edge].length) return {Passage::Kind::vertex, (edge + 1) % count};
-  return {Passage::Kind::edge, edge};
+  if (place <= 0.0) return {Turn::Kind::vertex, edge};
+  if (place >= face.edges()[edge].length) return {Turn::Kind::vertex, (edge + 1) % count};
+  return {Turn::Kind::edge, edge};
 }
 
 /// The best way over one piece of the rim; ends in the face's coordinates.
@@ -72,10 +72,10 @@ RimWay<double> over_piece(const PortalFace& face, std::uint32_t piece, Vec3d a, 
 }
 
 /// One face: straight, or the best of its edges.
-bool shortest_by_one(Vec3d from, Vec3d to, const PortalFace& face, double limit, Passage& out) {
+bool shortest_by_one(Vec3d from, Vec3d to, const PortalFace& face, double limit, Turn& out) {
   const Vec3d a = face.frame().to_local(from), b = face.frame().to_local(to);
   if (straight_through(face, a, b) >= 0.0) {
-    out = straight_passage;
+    out = straight_on;
     const Vec3d apart = b - a;
     return dot(apart, apart) < limit * limit;
   }
@@ -83,12 +83,12 @@ bool shortest_by_one(Vec3d from, Vec3d to, const PortalFace& face, double limit,
   bool found = false;
   for (std::uint32_t i = 0; i < rim_pieces(face); ++i) {
     const RimWay<double> way = over_piece(face, i, a, b);
-    const Passage passage = rim_passage(face, i, way.place);
+    const Turn turn = rim_turn(face, i, way.place);
     const bool between_insides =
-        found && passage.kind == Passage::Kind::edge && out.kind == Passage::Kind::edge;
+        found && turn.kind == Turn::Kind::edge && out.kind == Turn::Kind::edge;
     if (!(way.length < best * (between_insides ? 1.0 - tie : 1.0))) continue;
     best = way.length;
-    out = passage;
+    out = turn;
     found = true;
   }
   return found;
@@ -160,14 +160,14 @@ double lead_round(const Ellipse& ellipse, Vec3d a, Vec3d b) {
 double lead_over_rim(const PortalFace& face, Vec3d a, Vec3d b) {
   if (const Ellipse* ellipse = face.ellipse()) return lead_round(*ellipse, a, b);
   double least = std::numeric_limits<double>::infinity(), second = least;
-  Passage best = straight_passage;
+  Turn best = straight_on;
   for (std::uint32_t i = 0; i < face.edges().size(); ++i) {
     const RimWay<double> way = over_piece(face, i, a, b);
-    const Passage passage = rim_passage(face, i, way.place);
+    const Turn turn = rim_turn(face, i, way.place);
     const bool better = way.length < least;
     // A vertex is met along two edges.
-    if (passage.code() != best.code()) second = std::min(second, better ? least : way.length);
-    if (better) best = passage, least = way.length;
+    if (turn.code() != best.code()) second = std::min(second, better ? least : way.length);
+    if (better) best = turn, least = way.length;
   }
   return second - least;
 }
@@ -175,7 +175,7 @@ double lead_over_rim(const PortalFace& face, Vec3d a, Vec3d b) {
 /// Branch and bound over which faces are passed by which edges.
 class Search {
  public:
-  Search(Vec3d from, Vec3d to, FaceRow faces, double limit, Passages& best)
+  Search(Vec3d from, Vec3d to, FaceRow faces, double limit, Turns& best)
       : faces_(faces), cutoff_(limit), best_(best) {
     way_.from = from;
     way_.to = to;
@@ -294,19 +294,18 @@ class Search {
   }
 
   void keep(double length) {
-    Passages passages;
+    Turns turns;
     bool insides = true;
     std::size_t bend = 0;
     for (std::size_t i = 0; i < faces_.size(); ++i) {
-      passages[i] = straight_passage;
+      turns[i] = straight_on;
       if (choice_[i] < 0) continue;
-      passages[i] =
-          rim_passage(*faces_[i], static_cast<std::uint32_t>(choice_[i]), way_.places[bend++]);
-      insides = insides && passages[i].kind == Passage::Kind::edge;
+      turns[i] = rim_turn(*faces_[i], static_cast<std::uint32_t>(choice_[i]), way_.places[bend++]);
+      insides = insides && turns[i].kind == Turn::Kind::edge;
     }
     const double margin = insides && best_insides_ ? tie * best_length_ : 0.0;
     if (found_ && !(length < best_length_ - margin)) return;
-    std::copy(passages.begin(), passages.begin() + faces_.size(), best_.begin());
+    std::copy(turns.begin(), turns.begin() + faces_.size(), best_.begin());
     best_length_ = length;
     cutoff_ = std::min(cutoff_, length * (1.0 + tie));
     best_insides_ = insides;
@@ -315,7 +314,7 @@ class Search {
 
   FaceRow faces_;
   double cutoff_;  ///< paths must be shorter
-  Passages& best_;
+  Turns& best_;
   double best_length_ = std::numeric_limits<double>::infinity();
   bool best_insides_ = false, found_ = false;
   std::array<std::int32_t, max_chain> choice_;
@@ -324,7 +323,7 @@ class Search {
 
 }  // namespace
 
-bool shortest_passages(Vec3d from, Vec3d to, FaceRow faces, double limit, Passages& out) {
+bool shortest_passages(Vec3d from, Vec3d to, FaceRow faces, double limit, Turns& out) {
   if (faces.size() == 1) return shortest_by_one(from, to, *faces[0], limit, out[0]);
   return Search(from, to, faces, limit, out).run();
 }
@@ -337,20 +336,20 @@ double clear_passage(Vec3d from, Vec3d to, const PortalFace& face) {
   return std::min(sight, 0.5 * lead_over_rim(face, a, b));
 }
 
-Polyline bends(Vec3d from, Vec3d to, FaceRow faces, const Passages& passages) {
+Polyline bends(Vec3d from, Vec3d to, FaceRow faces, const Turns& turns) {
   Polyline way;
   way.from = from;
   way.to = to;
   constexpr double infinity = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < faces.size(); ++i) {
-    if (passages[i].kind == Passage::Kind::straight) continue;
+    if (turns[i].kind == Turn::Kind::straight) continue;
     if (const Ellipse* ellipse = faces[i]->ellipse()) {
       way.slides[way.count] = slide_on(*ellipse, faces[i]->frame());
-      way.places[way.count++] = passages[i].angle;
+      way.places[way.count++] = turns[i].angle;
       continue;
     }
-    const FaceEdge& edge = faces[i]->edges()[passages[i].index];
-    const bool fixed = passages[i].kind == Passage::Kind::vertex;
+    const FaceEdge& edge = faces[i]->edges()[turns[i].index];
+    const bool fixed = turns[i].kind == Turn::Kind::vertex;
     way.slides[way.count] = {edge.start, edge.direction, fixed ? 0.0 : -infinity,
                              fixed ? 0.0 : infinity};
     way.places[way.count] = fixed ? 0.0 : 0.5 * edge.length;
@@ -360,8 +359,8 @@ Polyline bends(Vec3d from, Vec3d to, FaceRow faces, const Passages& passages) {
   return way;
 }
 
-Way follow(Vec3d from, Vec3d to, FaceRow faces, const Passages& passages) {
-  const Polyline way = bends(from, to, faces, passages);
+Way follow(Vec3d from, Vec3d to, FaceRow faces, const Turns& turns) {
+  const Polyline way = bends(from, to, faces, turns);
   return {way.total(), way.count > 0 ? way.point(0) : to, way.count == 0};
 }
 

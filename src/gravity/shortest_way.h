@@ -23,7 +23,7 @@ using FaceRow = std::span<const PortalFace* const>;
 
 /// How a path passes one face: straight through its inside, or by a feature of its rim (of an
 /// ellipse, by one of some sectors: so that a path which jumps is told from one that slides).
-struct Passage {
+struct Turn {
   enum class Kind : std::uint8_t { straight, edge, vertex };
   Kind kind;
   std::uint32_t index;
@@ -33,10 +33,10 @@ struct Passage {
     return static_cast<std::uint64_t>(index) * 4 + static_cast<std::uint64_t>(kind);
   }
 };
-inline constexpr Passage straight_passage{Passage::Kind::straight, 0};
+inline constexpr Turn straight_on{Turn::Kind::straight, 0};
 
 /// The discrete part of a path: one entry a face.
-using Passages = std::array<Passage, max_chain>;
+using Turns = std::array<Turn, max_chain>;
 
 /// The continuous part.
 struct Way {
@@ -45,24 +45,23 @@ struct Way {
   bool straight = true;  ///< it bends nowhere
 };
 
-/// Finds the passages of the shortest path, if it is shorter than `limit`. Between edges that are
+/// Finds the turns of the shortest path, if it is shorter than `limit`. Between edges that are
 /// equally good the lower index wins.
 /// @param from  at height 0 over a face it counts as in front
 /// @param to    at height 0 it counts as behind
 /// @pre 1 to `max_chain` faces
 /// @return whether there is such a way
-[[nodiscard]] bool shortest_passages(Vec3d from, Vec3d to, FaceRow faces, double limit,
-                                     Passages& out);
+[[nodiscard]] bool shortest_passages(Vec3d from, Vec3d to, FaceRow faces, double limit, Turns& out);
 
 /// Within this distance of `from` the shortest path does not jump: it passes one face as it does
 /// there, but that it may slide from an edge onto a vertex of it, or back.
 [[nodiscard]] double clear_passage(Vec3d from, Vec3d to, const PortalFace& face);
 
-/// The path with these passages, an edge counting as its whole line: smooth in `from`. Its bends
-/// are the points of the polyline, one for each passage that is not straight.
-[[nodiscard]] Polyline bends(Vec3d from, Vec3d to, FaceRow faces, const Passages& passages);
+/// The path with these turns, an edge counting as its whole line: smooth in `from`. Its bends
+/// are the points of the polyline, one for each turn that is not straight.
+[[nodiscard]] Polyline bends(Vec3d from, Vec3d to, FaceRow faces, const Turns& turns);
 
 /// The length and the first bend of that way.
-[[nodiscard]] Way follow(Vec3d from, Vec3d to, FaceRow faces, const Passages& passages);
+[[nodiscard]] Way follow(Vec3d from, Vec3d to, FaceRow faces, const Turns& turns);
 
 }  // namespace portalens

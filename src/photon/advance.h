@@ -125,8 +125,10 @@ class Tracer {
     ++arrival.crossings;
     const Portal& portal = space_.portals.portals()[met.object];
     arrival.tint = arrival.tint * portal.tint;
-    ray_state_.state = {portal.through.move(ray_state_.state.position),
-                        portal.through.rotate(ray_state_.state.direction)};
+    const Passed passed =
+        pass(portal.passage, ray_state_.state.position, ray_state_.state.direction);
+    ray_state_.state = {passed.position, passed.direction};
+    arrival.turning += passed.turning;
     ray_state_.start = {
         space_.leaving_portal(portal.pair, ray_state_.state.position, ray_state_.state.direction)};
     free_length_ = 0.0;

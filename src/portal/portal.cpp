@@ -54,14 +54,6 @@ Aperture aperture_at(const Portal& portal, const std::vector<Vec3d>& vertices, c
                     portal.aperture);
 }
 
-Rigid motion_through(const Frame& a, const Frame& b) {
-  const auto row = [&](double br, double bu, double bn) {
-    return a.right * -br + a.up * bu + a.normal * -bn;
-  };
-  return {row(b.right.x, b.up.x, b.normal.x), row(b.right.y, b.up.y, b.normal.y),
-          row(b.right.z, b.up.z, b.normal.z), a.origin, b.origin};
-}
-
 std::vector<Portal> one_sided(std::span<const Portal> portals) {
   std::vector<Portal> all(portals.begin(), portals.end());
   std::vector<std::uint32_t> reverse_of(portals.size());

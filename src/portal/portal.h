@@ -1,5 +1,5 @@
 /// \file
-/// A portal: a one-sided planar face, and the motion that leads through it.
+/// A portal: a one-sided planar face, and the passage that leads through it.
 /// Dunigan & Pianta, sec. 4; the map is equations.md, sec. 4.
 #pragma once
 
@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "math/rigid.h"
 #include "portal/aperture.h"
+#include "portal/passage.h"
 
 namespace portalens {
 
@@ -22,15 +22,18 @@ struct Portal {
   Aperture aperture;          ///< the same in coordinates of the frame
   double longest_edge = 0.0;  ///< or the diameter of what is curved
   std::uint32_t pair = 0;     ///< index of the other member
-  Rigid through;              ///< from this front to the pair's: T_A
+  Passage passage;            ///< from this front to the pair's
   Rgb tint{1, 1, 1};
   std::optional<std::uint32_t> back_material;  ///< none: no surface meets light from behind
-  /// What meets its back leaves the back of its pair, by the same motion. Else, without a material,
-  /// light passes from behind as if nothing were there.
+  /// What meets its back leaves the back of its pair, by the same passage. Else, without a
+  /// material, light passes from behind as if nothing were there.
   bool two_sided = false;
 
   /// Whether light that comes from behind meets it.
   [[nodiscard]] bool has_back() const { return two_sided || back_material.has_value(); }
+
+  /// The rigid motion that its passage is: T_A; null where it is none.
+  [[nodiscard]] const Rigid* motion() const { return motion_of(passage); }
 
   /// Heights within this of the plane count as 0, and a point at height 0 is in front.
   [[nodiscard]] double height_tolerance() const { return 1e-9 * longest_edge; }
@@ -56,12 +59,9 @@ void give_face(Portal& portal, const FaceInput& input);
 /// @pre at least 3 vertices that are not on one line
 [[nodiscard]] Frame polygon_frame(const std::vector<Vec3d>& vertices);
 
-/// The motion through A: (x, y, z) in A's frame becomes (-x, y, -z) in B's, half a turn about `up`.
-[[nodiscard]] Rigid motion_through(const Frame& a, const Frame& b);
-
 /// The portals as gravity counts them: a two-sided pair is two one-sided pairs back to back. The
 /// reverses of two-sided portals follow the portals, in their order; they lead through by the same
-/// motion.
+/// passage.
 [[nodiscard]] std::vector<Portal> one_sided(std::span<const Portal> portals);
 
 /// Largest distance between A's vertices moved through and the B's that correspond to them

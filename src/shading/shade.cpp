@@ -154,11 +154,13 @@ class Shader {
     const std::span<const Portal> portals = space_.portals.portals();
     for (std::uint32_t i = 0; i < portals.size(); ++i) {
       const Portal& portal = portals[i];
+      const Rigid* motion = portal.motion();
+      if (!motion) continue;
       const double height = portal.frame.to_local(point.position).z;
       if (height < -portal.height_tolerance() && !portal.two_sided) continue;
-      LightSample image = light.sample(portal.through.move(point.position), u1, u2);
-      image.position = portal.through.move_back(image.position);
-      image.normal = portal.through.rotate_back(image.normal);
+      LightSample image = light.sample(motion->move(point.position), u1, u2);
+      image.position = motion->move_back(image.position);
+      image.normal = motion->rotate_back(image.normal);
       if (crosses(i, point, image.position)) ask(point, bsdf, image, count, portal.tint, i);
     }
   }

@@ -50,6 +50,8 @@ bool visible_directly(const Space& space, const Stretch& way, const SelfIntersec
 
 bool visible_through(const Space& space, const ShadowQuery& query) {
   const Portal& portal = space.portals.portals()[query.portal];
+  const Rigid* motion = portal.motion();
+  if (!motion) return false;
   const Stretch unfolded = stretch(query.from, query.to);
   const auto met =
       Obstacles(space.surfaces, space.portals).first(unfolded.ray, unfolded.length, {query.guard});
@@ -58,8 +60,8 @@ bool visible_through(const Space& space, const ShadowQuery& query) {
        met->kind != Encounter::Kind::portal_through_back) ||
       meets_horizon(space, {unfolded.ray, met->distance}))
     return false;
-  const Vec3d exit = portal.through.move(unfolded.ray.at(met->distance));
-  const Stretch beyond = stretch(exit, portal.through.move(query.to));
+  const Vec3d exit = motion->move(unfolded.ray.at(met->distance));
+  const Stretch beyond = stretch(exit, motion->move(query.to));
   return visible_directly(space, beyond,
                           space.leaving_portal(portal.pair, exit, beyond.ray.direction));
 }

@@ -57,10 +57,24 @@ std::string in_pulls(double cost, double budget) {
   return fmt::format("about {:.1e} pulls of a mass; the budget is {:.0e}", cost, budget);
 }
 
+/// Gravity has to have a motion where it is to act through portals.
+void check_passages(const Scene& scene, const Physics& physics, const Objects& objects,
+                    Faults& faults) {
+  const Portal* barred = barred_portal(physics.portal_gravity, objects.portals);
+  if (!barred) return;
+  Parameters(scene.physics, faults)
+      .fault("portal_gravity",
+             fmt::format("portal {} leads through by a {}, and {} asks for a rigid motion",
+                         in_quotes(barred->name), name_of(barred->passage),
+                         in_quotes(physics.portal_gravity)),
+             "give portal_gravity = \"none\"");
+}
+
 /// `closest-point` needs finite reaches; and whatever the coupling, its cost stays bounded.
 /// equations.md, sec. 5.
 void check_portal_gravity(const Scene& scene, const Physics& physics, const Objects& objects,
                           Faults& faults) {
+  check_passages(scene, physics, objects, faults);
   if (objects.portals.empty() || physics.portal_gravity_depth == 0) return;
   Parameters parameters(scene.physics, faults);
   const std::string_view coupling = physics.portal_gravity;

@@ -68,9 +68,10 @@ void PortalReader::read(Parameters& parameters, const std::string& name, Materia
     if (back != "open" && back != "portal")
       portal.back_material = materials.named_by(parameters, "back");
   }
-  if (const std::optional<FaceInput> face = read_face(parameters, name)) {
+  if (std::optional<FaceInput> face = read_face(parameters, name)) {
     read.sound = true;
     give_face(portal, *face);
+    read.face = *std::move(face);
   }
   (void)read_mass(parameters, name, MassKey::optional, portal.frame.origin, physics, masses);
   by_name_.emplace(name, static_cast<std::uint32_t>(portals_.size()));
@@ -142,7 +143,7 @@ std::vector<Portal> PortalReader::join() {
       if (i < *other) check_backs(read, pair);
       if (read.sound && pair.sound) {
         if (i < *other) check_congruent(read, pair);
-        read.portal.through = motion_through(read.portal.frame, pair.portal.frame);
+        read.portal.passage = passage_between({read.face, pair.face});
       }
     }
     portals.push_back(read.portal);

@@ -22,7 +22,7 @@ class PortalReader {
   void read(Parameters& parameters, const std::string& name, MaterialList& materials,
             const Physics& physics, std::vector<Mass>& masses);
 
-  /// The portals, each with its pair and the motion through it. Whatever hinders that is a fault.
+  /// The portals, each with its pair and the passage to it. Whatever hinders that is a fault.
   [[nodiscard]] std::vector<Portal> join();
 
  private:
@@ -30,6 +30,7 @@ class PortalReader {
     Portal portal;
     std::string pair;
     Location where, shape, pair_where, back;
+    FaceInput face;
     bool sound = false;  ///< it has a face
   };
 

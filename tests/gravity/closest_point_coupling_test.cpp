@@ -83,10 +83,10 @@ TEST(ClosestPointCoupling, IsContinuousAcrossAFaceWhereTheOtherChainsAreOutOfRea
     const std::vector<Vec3d>& v = a.vertices;
     const double s = random.uniform(0.1, 0.4), t = random.uniform(0.1, 0.4);
     const Vec3d before = v[0] + (v[1] - v[0]) * s + (v[2] - v[0]) * t;
-    const Vec3d after = a.through.move(before);
+    const Vec3d after = a.motion()->move(before);
     const Vec3d g_before = plain.direct(before) + coupling.pull(before, before).acceleration;
     const Vec3d g_after = plain.direct(after) + coupling.pull(after, after).acceleration;
-    EXPECT_LE(relative_difference(a.through.rotate(g_before), g_after), 1e-9);
+    EXPECT_LE(relative_difference(a.motion()->rotate(g_before), g_after), 1e-9);
     EXPECT_GT(length(g_before), 0.0);
   }
 }

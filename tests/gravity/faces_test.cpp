@@ -90,11 +90,11 @@ TEST(CouplingsOfFaces, ClosestPointIsThatOfBruteForce) {
         if (!sure) break;
         Vec3d through;
         for (const Mass& mass : scene.masses) {
-          const Vec3d d = mass.center - portal.through.move(*q);
+          const Vec3d d = mass.center - portal.motion()->move(*q);
           if (length(d) < mass.influence)
             through += d * (mass.gm / std::pow(dot(d, d) + mass.core * mass.core, 1.5));
         }
-        pull += portal.through.rotate_back(through);
+        pull += portal.motion()->rotate_back(through);
       }
       if (!sure) continue;
       ASSERT_LT(relative_difference(coupling.pull(x, x).acceleration, pull), 2e-3)

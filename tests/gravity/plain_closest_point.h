@@ -79,8 +79,8 @@ struct Plain {
       const Portal& portal = scene.portals[a];
       const Vec3d q = closest(x, portal);
       if (!(length(x - q) < reach(a, k))) continue;
-      const Vec3d beyond = portal.through.move(q);
-      sum += portal.through.rotate_back(direct(beyond) + through(beyond, k - 1, portal.pair));
+      const Vec3d beyond = portal.motion()->move(q);
+      sum += portal.motion()->rotate_back(direct(beyond) + through(beyond, k - 1, portal.pair));
     }
     return sum;
   }

@@ -44,8 +44,8 @@ inline void add_pair(PortalScene& scene, const std::vector<Vec3d>& vertices, con
   const auto first = static_cast<std::uint32_t>(scene.portals.size());
   a.pair = first + 1;
   b.pair = first;
-  a.through = motion_through(a.frame, b.frame);
-  b.through = motion_through(b.frame, a.frame);
+  a.passage = RigidPassage(motion_through(a.frame, b.frame));
+  b.passage = RigidPassage(motion_through(b.frame, a.frame));
   scene.portals.push_back(a);
   scene.portals.push_back(b);
 }

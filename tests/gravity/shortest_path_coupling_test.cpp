@@ -84,10 +84,10 @@ TEST(ShortestPathCoupling, IsContinuousAcrossAFaceWithMassesInFrontOfBoth) {
     const double s = random.uniform(0.1, 0.4), t = random.uniform(0.1, 0.4);
     const std::vector<Vec3d>& v = a.vertices;
     const Vec3d before = v[0] + (v[1] - v[0]) * s + (v[2] - v[0]) * t;
-    const Vec3d after = a.through.move(before);
+    const Vec3d after = a.motion()->move(before);
     const Vec3d g_before = direct(scene, before) + coupling.pull(before, before).acceleration;
     const Vec3d g_after = direct(scene, after) + coupling.pull(after, after).acceleration;
-    ASSERT_LE(relative_difference(a.through.rotate(g_before), g_after), 1e-9) << compared;
+    ASSERT_LE(relative_difference(a.motion()->rotate(g_before), g_after), 1e-9) << compared;
     ++compared;
   }
 }

@@ -71,9 +71,9 @@ double plain_way(Vec3d x, Vec3d p, const Portal& portal) {
 }
 
 double found_way(Vec3d x, Vec3d p, FaceRow faces) {
-  Passages passages;
-  if (!shortest_passages(x, p, faces, boundless, passages)) return boundless;
-  return follow(x, p, faces, passages).length;
+  Turns turns;
+  if (!shortest_passages(x, p, faces, boundless, turns)) return boundless;
+  return follow(x, p, faces, turns).length;
 }
 
 TEST(ShortestWay, ThroughOneFaceIsTheMinimumOverTheFace) {
@@ -206,14 +206,14 @@ class SampledRims {
 /// True if the path found keeps to the rules: its bends lie on rims, and it passes all other faces
 /// straight and in order.
 bool keeps_the_rules(Vec3d x, Vec3d p, FaceRow faces, const std::vector<Portal>& portals) {
-  Passages passages;
-  if (!shortest_passages(x, p, faces, boundless, passages)) return false;
-  const Polyline way = bends(x, p, faces, passages);
+  Turns turns;
+  if (!shortest_passages(x, p, faces, boundless, turns)) return false;
+  const Polyline way = bends(x, p, faces, turns);
   std::size_t bend = 0;
   Vec3d last = x, next = way.count > 0 ? way.point(0) : p;
   double reached = 0.0;
   for (std::size_t i = 0; i < faces.size(); ++i) {
-    if (passages[i].kind == Passage::Kind::straight) {
+    if (turns[i].kind == Turn::Kind::straight) {
       const std::optional<double> t = passes(portals[i], last, next);
       if (!t || *t < reached - 1e-12) return false;
       reached = *t;
@@ -307,18 +307,18 @@ TEST(ShortestWay, GivesUpBeyondItsLimit) {
     const Vec3d x = random.point(3.0), p = random.point(3.0);
     for (const FaceRow faces : {FaceRow(row, 1), FaceRow(row, 2)}) {
       const double way = found_way(x, p, faces);
-      Passages passages;
-      EXPECT_TRUE(shortest_passages(x, p, faces, way * 1.000001, passages));
-      EXPECT_FALSE(shortest_passages(x, p, faces, way * 0.999999, passages));
+      Turns turns;
+      EXPECT_TRUE(shortest_passages(x, p, faces, way * 1.000001, turns));
+      EXPECT_FALSE(shortest_passages(x, p, faces, way * 0.999999, turns));
     }
   }
 }
 
 /// Whether a path slides from one to the other: they are equal, or a vertex and an edge that ends
 /// in it.
-bool are_neighbours(Passage a, Passage b, std::uint32_t count) {
-  if (a.kind == Passage::Kind::edge) std::swap(a, b);
-  if (a.kind != Passage::Kind::vertex || b.kind != Passage::Kind::edge)
+bool are_neighbours(Turn a, Turn b, std::uint32_t count) {
+  if (a.kind == Turn::Kind::edge) std::swap(a, b);
+  if (a.kind != Turn::Kind::vertex || b.kind != Turn::Kind::edge)
     return a.kind == b.kind && a.index == b.index;
   return b.index == a.index || (b.index + 1) % count == a.index;
 }
@@ -334,7 +334,7 @@ TEST(ShortestWay, DoesNotJumpWithinItsCalm) {
     const double distance_to_discontinuity = clear_passage(from, to, face);
     const Vec3d there = from + random.direction() * (std::min(distance_to_discontinuity, 3.0) *
                                                      random.uniform(0.5, 1.0) * (1.0 - 1e-9));
-    Passages here{}, aside{};
+    Turns here{}, aside{};
     ASSERT_TRUE(shortest_passages(from, to, {&faces, 1}, boundless, here));
     ASSERT_TRUE(shortest_passages(there, to, {&faces, 1}, boundless, aside));
     ASSERT_TRUE(are_neighbours(here[0], aside[0], portal.vertices.size())) << round;

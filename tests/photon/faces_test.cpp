@@ -107,11 +107,12 @@ TEST(Faces, AConcaveOneIsWhatTrianglesPutTogether) {
       const auto corner = [&](std::size_t i) { return one[0].vertices[i]; };
       Portal front, back;
       give_face(front, polygon_input({corner(a), corner(b), corner(c)}));
-      give_face(back, polygon_input({one[0].through.move(corner(b)), one[0].through.move(corner(a)),
-                                     one[0].through.move(corner(c))}));
+      give_face(back,
+                polygon_input({one[0].motion()->move(corner(b)), one[0].motion()->move(corner(a)),
+                               one[0].motion()->move(corner(c))}));
       front.pair = first + 1, back.pair = first;
-      front.through = motion_through(front.frame, back.frame);
-      back.through = motion_through(back.frame, front.frame);
+      front.passage = RigidPassage(motion_through(front.frame, back.frame));
+      back.passage = RigidPassage(motion_through(back.frame, front.frame));
       triangles.push_back(front);
       triangles.push_back(back);
     }

@@ -209,7 +209,7 @@ TEST(Flush, WhatMeetsTheBackOfATwoSidedPortalLeavesTheBackOfItsPair) {
                                             {{7, -1, 1}, {7, -1, -1}, {7, 1, -1}, {7, 1, 1}});
   for (Portal& portal : portals) portal.two_sided = true;
   const PlannedSpace space = space_with(physics_with(1e-4), {}, {}, portals);
-  const Rigid through = portals[0].through;
+  const Rigid through = *portals[0].motion();
   std::vector<Photon> photons;
   for (const double side : {1.0, -1.0})
     for (int i = 0; i < 20; ++i)
@@ -242,7 +242,7 @@ TEST(Flush, TwoOneSidedPairsBackToBackAreAsGoodAsOneOfTwoSides) {
   EXPECT_LT(congruence_error(pairs[2].vertices, pairs[3].vertices), 1e-15);
   for (std::size_t i = 2; i < 4; ++i)
     EXPECT_LT(length(motion_through(pairs[i].frame, pairs[pairs[i].pair].frame).move({1, 2, 3}) -
-                     pairs[i].through.move({1, 2, 3})),
+                     pairs[i].motion()->move({1, 2, 3})),
               1e-14);
   std::vector<Portal> separate = pairs;
   for (Portal& portal : separate) portal.two_sided = false;

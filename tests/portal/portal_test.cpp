@@ -42,8 +42,8 @@ TEST(Portal, TwoCrossingsOfAPairRestoreTheRay) {
     if (i % 100 == 0)
       pair = portal_pair(placed(outline, random, 10.0), placed(partner(outline), random, 10.0));
     const Vec3d x = random.point(10.0), t = random.direction();
-    const Vec3d there = pair[0].through.move(x), back = pair[1].through.move(there);
-    const Vec3d turned = pair[1].through.rotate(pair[0].through.rotate(t));
+    const Vec3d there = pair[0].motion()->move(x), back = pair[1].motion()->move(there);
+    const Vec3d turned = pair[1].motion()->rotate(pair[0].motion()->rotate(t));
     ASSERT_LE(length(back - x), 1e-12 * (1.0 + length(x)));
     ASSERT_LE(length(turned - t), 1e-12);
   }
@@ -54,11 +54,11 @@ TEST(Portal, TheMotionIsProperAndMatchesTheLocalRule) {
   for (int i = 0; i < 1000; ++i) {
     const auto pair =
         portal_pair(placed(outline, random, 10.0), placed(partner(outline), random, 10.0));
-    EXPECT_NEAR(pair[0].through.determinant(), 1.0, 1e-14);
+    EXPECT_NEAR(pair[0].motion()->determinant(), 1.0, 1e-14);
     EXPECT_LE(congruence_error(pair[0].vertices, pair[1].vertices), 1e-14);
     const Vec3d x = random.point(5.0);
     const Vec3d a = pair[0].frame.to_local(x);
-    const Vec3d b = pair[1].frame.to_local(pair[0].through.move(x));
+    const Vec3d b = pair[1].frame.to_local(pair[0].motion()->move(x));
     EXPECT_LE(length(b - Vec3d{-a.x, a.y, -a.z}), 1e-13 * (1 + length(a)));
   }
 }
@@ -68,9 +68,9 @@ TEST(Portal, WritingReadsTheRightWayRoundThroughAPair) {
   const auto pair = portal_pair({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}},
                                 {{1, -1, -7}, {-1, -1, -7}, {-1, 1, -7}, {1, 1, -7}});
   EXPECT_LE(congruence_error(pair[0].vertices, pair[1].vertices), 1e-15);
-  const Vec3d x = pair[0].through.move({0.25, 0.5, 0});
+  const Vec3d x = pair[0].motion()->move({0.25, 0.5, 0});
   EXPECT_EQ(x, (Vec3d{0.25, 0.5, -7}));
-  EXPECT_EQ(pair[0].through.rotate({0.1, 0.2, -0.9}), (Vec3d{0.1, 0.2, -0.9}));
+  EXPECT_EQ(pair[0].motion()->rotate({0.1, 0.2, -0.9}), (Vec3d{0.1, 0.2, -0.9}));
 }
 
 TEST(Portal, UnlikePolygonsAreNotCongruent) {

@@ -93,7 +93,7 @@ TEST(Shadow, IsCastByFrontsAndMaterialBacksButNotByOpenBacks) {
 /// moved behind the portal, and only what passes the window counts.
 TEST(Shadow, ThroughAPortalEqualsTheUnfoldedSceneWithoutPortals) {
   const std::vector<Portal> portals = window_pair();
-  const Rigid& through = portals[0].through;
+  const Rigid& through = *portals[0].motion();
   const Sphere here({0.3, 0.2, 0.8}, 0.3);
   const Sphere image({-0.2, 0.1, -1.0}, 0.4);
   const Sphere there(through.move(image.center()), image.radius());
@@ -146,7 +146,7 @@ TEST(Shadow, AWallInThePlaneOfAPortalDoesNotCloseIt) {
 TEST(Shadow, LightThroughAPortalIsThatOfItsImageTimesTheTint) {
   std::vector<Portal> portals = window_pair();
   portals[0].tint = {0.5, 0.25, 1};
-  const Rigid& through = portals[0].through;
+  const Rigid& through = *portals[0].motion();
   const Quad floor(
       std::array<Vec3d, 4>{{{-3, -1.5, 3}, {3, -1.5, 3}, {3, -1.5, 0}, {-3, -1.5, 0}}});
   const Vec3d image{0.2, 0.3, -1};

@@ -105,7 +105,7 @@ inline std::vector<Portal> pair_with(const FaceInput& face, const Frame& a, cons
   for (std::uint32_t i = 0; i < 2; ++i) {
     portals[i].name = i == 0 ? "a" : "b";
     portals[i].pair = 1 - i;
-    portals[i].through = motion_through(portals[i].frame, portals[1 - i].frame);
+    portals[i].passage = RigidPassage(motion_through(portals[i].frame, portals[1 - i].frame));
   }
   return portals;
 }

@@ -321,8 +321,8 @@ class RoomBuilder {
       give_face(portal, polygon_input(std::move(corners)));
     }
     for (std::uint32_t i = first; i < first + 2; ++i)
-      room_.portals[i].through =
-          motion_through(room_.portals[i].frame, room_.portals[room_.portals[i].pair].frame);
+      room_.portals[i].passage = RigidPassage(
+          motion_through(room_.portals[i].frame, room_.portals[room_.portals[i].pair].frame));
   }
 
   /// In any order.

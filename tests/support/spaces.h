@@ -57,7 +57,7 @@ inline std::vector<Portal> portal_pair(const std::vector<Vec3d>& a, const std::v
   give_face(portals[1], polygon_input(b));
   for (std::uint32_t i = 0; i < 2; ++i) portals[i].pair = 1 - i;
   for (int i = 0; i < 2; ++i)
-    portals[i].through = motion_through(portals[i].frame, portals[1 - i].frame);
+    portals[i].passage = RigidPassage(motion_through(portals[i].frame, portals[1 - i].frame));
   return portals;
 }
 

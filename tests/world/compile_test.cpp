@@ -287,10 +287,10 @@ vertices = [[10,0,-1], [10,0,1], [10,3,1], [10,3,-1]]
   EXPECT_EQ(portals[0].back_material, 0u);
   EXPECT_FALSE(portals[1].back_material);
   EXPECT_DOUBLE_EQ(portals[0].longest_edge, 3.0);
-  EXPECT_NEAR(portals[0].through.determinant(), 1.0, 1e-14);
-  EXPECT_LT(length(portals[0].through.move({-1, 0, 2}) - Vec3d{10, 0, 1}), 1e-12);
-  const Vec3d there = portals[0].through.move({4, 5, 6});
-  EXPECT_LT(length(portals[1].through.move(there) - Vec3d{4, 5, 6}), 1e-12);
+  EXPECT_NEAR(portals[0].motion()->determinant(), 1.0, 1e-14);
+  EXPECT_LT(length(portals[0].motion()->move({-1, 0, 2}) - Vec3d{10, 0, 1}), 1e-12);
+  const Vec3d there = portals[0].motion()->move({4, 5, 6});
+  EXPECT_LT(length(portals[1].motion()->move(there) - Vec3d{4, 5, 6}), 1e-12);
 }
 
 TEST(Compile, TheWarningsTellWhatIsProbablyNotMeant) {

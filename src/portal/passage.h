@@ -1,0 +1,42 @@
+/// \file
+/// The list of passages: what leads light from one face of a pair to the other. A portal is a place
+/// to meet, its aperture, and a passage.
+///
+/// To add one: a header beside this one, and a word in `Passage`. Each type has
+///   static constexpr std::string_view name;          for people
+///   static std::optional<T> between(const PassageInput&);
+///       the passage from the first face to the second; nothing where the pair is none of its kind
+///   Passed pass(Vec3d position, Vec3d direction) const;
+///       where light comes out that meets the first face there: on the second face, or nearly
+///   const Rigid* motion() const;
+///       the rigid motion that it is, for all of space; null where it is none. Gravity acts through
+///       rigid motions only, and so do shadow rays: through others a surface is lit by no lamp.
+/// and a default constructor, and is immutable.
+#pragma once
+
+#include <variant>
+
+#include "portal/rigid_passage.h"
+
+namespace portalens {
+
+using Passage = std::variant<RigidPassage>;
+
+/// The first of the list that takes the pair.
+/// @pre one does: the last, a rigid motion, takes all
+[[nodiscard]] Passage passage_between(const PassageInput& input);
+
+[[nodiscard]] inline Passed pass(const Passage& passage, Vec3d position, Vec3d direction) {
+  return std::visit([&](const auto& p) { return p.pass(position, direction); }, passage);
+}
+
+/// Null where it is no rigid motion.
+[[nodiscard]] inline const Rigid* motion_of(const Passage& passage) {
+  return std::visit([](const auto& p) { return p.motion(); }, passage);
+}
+
+[[nodiscard]] inline std::string_view name_of(const Passage& passage) {
+  return std::visit([](const auto& p) { return p.name; }, passage);
+}
+
+}  // namespace portalens
