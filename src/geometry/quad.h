@@ -37,6 +37,10 @@ class Quad {
   }
 
   [[nodiscard]] Box bounds() const;
+  template <class Layout>
+  [[nodiscard]] bool lay_out(Layout& layout) const {
+    return layout.polygon(vertices(), normal_);
+  }
   [[nodiscard]] std::optional<Contact> intersect(const Ray& ray, double low, double high) const;
   [[nodiscard]] SurfacePoint surface_at(Vec3d x, std::uint32_t face) const;
   /// The same without its texture coordinates, which take long.

@@ -14,6 +14,11 @@
 ///   double area() const;
 ///   SurfacePoint sample(double u1, double u2) const;   uniform by area
 ///   std::vector<FlatFace> flat_faces() const;          the flat ones of its faces; none if curved
+/// It may have
+///   template <class Layout> bool lay_out(Layout& layout) const;
+///       how lanes hold it: as what `ShapeLayout` in lanes/surface_plan.cpp offers (a polygon of 3
+///       or 4 corners, a ball); false where that has no room. What has none, or no room, is held by
+///       its box: the scalar engine takes the steps in there
 /// and is immutable. A contact doesn't depend, to the bit, on `low` and `high`, which only select:
 /// so asking again with `low` just beyond a contact gives the next one. `Mesh` tries its triangles
 /// one by one; the accelerator finds the few that matter.

@@ -23,6 +23,10 @@ class Sphere {
   [[nodiscard]] double radius() const { return radius_; }
 
   [[nodiscard]] Box bounds() const;
+  template <class Layout>
+  [[nodiscard]] bool lay_out(Layout& layout) const {
+    return layout.ball(center_, radius_);
+  }
   [[nodiscard]] std::optional<Contact> intersect(const Ray& ray, double low, double high) const;
   [[nodiscard]] SurfacePoint surface_at(Vec3d x, std::uint32_t face) const;
   [[nodiscard]] double clearance(const Segment& segment) const;

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -32,6 +33,10 @@ class ClosestPointCoupling {
   }
   [[nodiscard]] std::uint64_t signature(Vec3d x) const {
     return decisions(x, depth_, no_portal, 0);
+  }
+  template <class Layout>
+  [[nodiscard]] std::string lay_out(Layout& layout) const {
+    return layout.nearest_points(*this);
   }
   [[nodiscard]] double distance_to_support(Vec3d x) const;
   /// Of the reaches of all portals, and of the influences behind them.

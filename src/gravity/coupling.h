@@ -20,6 +20,9 @@
 ///   std::vector<PullPart> parts(Vec3d x) const;
 ///       what `pull(x, x)` is the sum of, one entry a way through portals
 /// and is immutable. It may have
+///   template <class Layout> std::string lay_out(Layout& layout) const;
+///       how lanes hold it: as what `CouplingLayout` in lanes/coupling_layout.h offers; why they
+///       can't, or nothing. What has none is left to the scalar engine
 ///   double distance_to_discontinuity(Vec3d x) const;
 ///       a lower bound of the distance from x to the nearest place where a part of it begins or
 ///       ends to act, or of another decision that long steps could overlook when they graze it

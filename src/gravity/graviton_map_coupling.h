@@ -14,6 +14,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -38,6 +39,10 @@ class GravitonMapCoupling {
 
   [[nodiscard]] Pull pull(Vec3d x, Vec3d anchor) const;
   [[nodiscard]] std::uint64_t signature(Vec3d x) const;
+  template <class Layout>
+  [[nodiscard]] std::string lay_out(Layout& layout) const {
+    return layout.maps(*this);
+  }
   [[nodiscard]] double distance_to_support(Vec3d x) const { return exact_.distance_to_support(x); }
   /// Of the reaches of all portals, and of sharp cells.
   [[nodiscard]] double distance_to_discontinuity(Vec3d x) const;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <limits>
+#include <string>
 #include <string_view>
 
 #include "gravity/coupling_input.h"
@@ -19,6 +20,10 @@ class NoCoupling {
   [[nodiscard]] Pull pull(Vec3d, Vec3d) const { return {}; }
   [[nodiscard]] std::uint64_t signature(Vec3d) const { return 0; }
   [[nodiscard]] std::vector<PullPart> parts(Vec3d) const { return {}; }
+  template <class Layout>
+  [[nodiscard]] std::string lay_out(Layout&) const {
+    return "";
+  }
   [[nodiscard]] double distance_to_support(Vec3d) const {
     return std::numeric_limits<double>::infinity();
   }

@@ -7,6 +7,7 @@
 /// with d_i the distance from the pair's centroid to mass i. Any depth above 0 counts as 1.
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -24,6 +25,12 @@ class PortalMassCoupling {
 
   [[nodiscard]] Pull pull(Vec3d x, Vec3d anchor) const;
   [[nodiscard]] std::uint64_t signature(Vec3d x) const;
+  template <class Layout>
+  [[nodiscard]] std::string lay_out(Layout& layout) const {
+    for (const Image& image : images())
+      layout.mass(image.center, image.gm, image.core2, image.influence);
+    return "";
+  }
   [[nodiscard]] double distance_to_support(Vec3d x) const;
   [[nodiscard]] double distance_to_discontinuity(Vec3d x) const;
   /// One part a portal; all its places are the centroid.

@@ -12,6 +12,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -31,6 +32,10 @@ class ShortestPathCoupling {
 
   [[nodiscard]] Pull pull(Vec3d x, Vec3d anchor) const;
   [[nodiscard]] std::uint64_t signature(Vec3d x) const;
+  template <class Layout>
+  [[nodiscard]] std::string lay_out(Layout& layout) const {
+    return layout.shortest_paths(*this);
+  }
   [[nodiscard]] double distance_to_support(Vec3d x) const;
   [[nodiscard]] double distance_to_discontinuity(Vec3d x) const;
 

@@ -34,6 +34,10 @@
 ///   double mismatch(const T& pair) const;
 ///       by how much the pair's face differs from this one turned about `up`, as a share of its
 ///       size
+/// It may have
+///   template <class Layout> void lay_out(Layout& layout) const;
+///       how lanes hold it: as what `OutlineLayout` in lanes/face_plan.cpp offers (a polygon, an
+///       ellipse). What has none is left to the scalar engine, and all of its scene with it
 /// and is immutable.
 #pragma once
 

@@ -41,6 +41,10 @@ class ConcavePolygon {
   }
 
   [[nodiscard]] const std::vector<PlaneEdge>& edges() const { return edges_; }
+  template <class Layout>
+  void lay_out(Layout& layout) const {
+    layout.polygon(edges_, false);
+  }
   [[nodiscard]] const std::vector<Vec3d>& outline() const { return corners_; }
   [[nodiscard]] std::vector<std::vector<Vec3d>> pieces() const;
   [[nodiscard]] PlaneBox box() const { return box_; }

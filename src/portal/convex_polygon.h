@@ -67,6 +67,10 @@ class ConvexPolygon {
   }
 
   [[nodiscard]] const std::vector<PlaneEdge>& edges() const { return edges_; }
+  template <class Layout>
+  void lay_out(Layout& layout) const {
+    layout.polygon(edges_, true);
+  }
   [[nodiscard]] const std::vector<Vec3d>& outline() const { return corners_; }
   [[nodiscard]] std::vector<std::vector<Vec3d>> pieces() const { return {corners_}; }
   [[nodiscard]] PlaneBox box() const { return box_of(corners_); }

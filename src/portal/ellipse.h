@@ -42,6 +42,10 @@ class Ellipse {
   [[nodiscard]] double still(Feature, Vec3d) const { return 0.0; }
 
   [[nodiscard]] std::vector<PlaneEdge> edges() const { return {}; }  ///< none of them is straight
+  template <class Layout>
+  void lay_out(Layout& layout) const {
+    layout.ellipse(a_, b_);
+  }
   /// Touches it in as many points as it has corners.
   [[nodiscard]] std::vector<Vec3d> outline() const;
   [[nodiscard]] std::vector<std::vector<Vec3d>> pieces() const { return {outline()}; }
