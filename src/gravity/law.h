@@ -21,7 +21,8 @@
 ///   static constexpr double greatest_potential;
 ///       light ends where the w of the masses that act directly comes to that. `horizon_radius` is
 ///       then only for what draws horizons or casts their shadows
-/// Both engines follow a newcomer unasked: lanes where no portal acts (lanes/plan.h).
+/// Both engines follow a newcomer unasked: lanes where no portal acts, and few masses do
+/// (lanes/limits.h).
 #pragma once
 
 #include <span>

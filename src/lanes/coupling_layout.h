@@ -10,9 +10,10 @@
 
 namespace portalens {
 
-/// What a coupling says of itself (`lay_out`, gravity/coupling.h), as tables of a plan. Each of
-/// these tells why lanes can't hold it; nothing where they can.
-/// @pre the plan has its portals and knows its stepped masses
+/// What a coupling's `lay_out` (gravity/coupling.h) is given: it writes the coupling into the plan
+/// of the lanes. A function that returns text says why lanes can't represent the coupling; the text
+/// is empty where they can.
+/// @pre the plan's portals are filled in, and the masses that lanes step through are chosen
 class CouplingLayout {
  public:
   CouplingLayout(const Space& space, LanePlan& plan) : space_(space), plan_(plan) {}
@@ -26,7 +27,7 @@ class CouplingLayout {
   /// What pulls along the shortest path through a face (lanes/shortest_path.h).
   std::string shortest_paths(const ShortestPathCoupling& coupling);
 
-  /// Those that act as masses do, of all that was said.
+  /// Those that were added with `mass`.
   [[nodiscard]] const std::vector<LaneMass>& masses() const { return masses_; }
 
  private:
@@ -42,12 +43,14 @@ class CouplingLayout {
   std::vector<LaneMass> masses_;
 };
 
-/// Light is left to the scalar engine nearer than this many m to a mass that it is bound by through
-/// a portal. Within e m it winds in; the field of a point of a face may change much faster than the
-/// steps of lanes expect.
+/// In units of G M / c² of a mass that can bind light through a portal: paths that come nearer to
+/// it than that are left to the scalar engine. Newton's pull binds light nearer than e = 2.718 of
+/// them, and the field of a face's nearest point may change there much faster than lanes' steps
+/// allow for.
 inline constexpr double too_near_through = 4.0;
 
-/// Nearer to a mass of that G M, or an image of one, light winds in.
+/// The radius at which light circles a mass of that G M, or its image behind a portal: nearer to it
+/// light spirals inwards.
 [[nodiscard]] double light_sphere(const Space& space, double gm);
 
 /// Adds a space's coupling to a plan.
@@ -57,9 +60,8 @@ inline constexpr double too_near_through = 4.0;
 [[nodiscard]] std::string add_coupling(const Space& space, LanePlan& plan,
                                        std::vector<LaneMass>& masses);
 
-/// The strongest pull that begins, ends or turns at once, length/time²: that of a mass where its
-/// influence ends; what comes through a portal where the portal's reach ends, or where it comes
-/// along another path.
+/// The largest jump of the field anywhere, length/time²: a mass's pull where its influence ends, or
+/// a pull through a portal where the portal's reach ends, or where the shortest path changes.
 [[nodiscard]] double strongest_onset(const Space& space);
 
 }  // namespace portalens

@@ -27,6 +27,14 @@ struct LaneSimpleNearest : LaneLinearNearest<R> {
     feature = select(where, other.feature, feature);
   }
 
+  /// Of an edge, how far a place lies to its outside, and by how much that may sway.
+  [[nodiscard]] R outside(Vec3<R> local) const {
+    return multiply_add(local.x - this->x(local), along.y, -((local.y - this->y(local)) * along.x));
+  }
+  [[nodiscard]] R sway_outside(Vec3<R> sway) const {
+    return multiply_add(abs(along.y), sway.x, abs(along.x) * sway.y);
+  }
+
   /// @param gate  has `outline`, and `tolerance`
   template <class Gate>
   [[nodiscard]] static LaneSimpleNearest on(const Gate& gate, Vec3<R> local) {
@@ -135,7 +143,8 @@ template <class R, class Gate>
 
 /// True only where the feature of `nearest_point` stays the nearest along a path.
 template <class R, class Gate>
-[[nodiscard]] typename R::Mask keeps_nearest(const Gate&, const LaneSimpleNearest<R>& nearest_point,
+[[nodiscard]] typename R::Mask keeps_nearest(const Gate& gate,
+                                             const LaneSimpleNearest<R>& nearest_point,
                                              Vec3<R> start, Vec3<R> end, Vec3<R> sway) {
   const Vec3<R> way = end - start;
   const R moved = sqrt(dot(way, way)) + sqrt(dot(sway, sway));
@@ -147,8 +156,15 @@ template <class R, class Gate>
   const auto ends = keeps_margin(nearest_point.size - place0, nearest_point.size - place1, along);
   const auto begins = (on_edge & keeps_margin(place0, place1, along)) |
                       ((!on_edge) & keeps_margin(past0, past1, beyond));
+  // From beside an edge it may come over the face, whose inside is then the nearest; behind the
+  // plane the edge stays that.
+  const R out0 = nearest_point.outside(start), out1 = nearest_point.outside(end);
+  const R below0 = -start.z - R(gate.tolerance), below1 = -end.z - R(gate.tolerance);
+  const auto stays_behind = (below0 > R(0)) & keeps_margin(below0, below1, sway.z);
+  const auto stays_beside = (!on_edge) | !(out0 > R(0)) | stays_behind |
+                            keeps_margin(out0, out1, nearest_point.sway_outside(sway));
   return (moved < nearest_point.distance_to_discontinuity) &
-         ((over & (moved < nearest_point.rim)) | ((!over) & ends & begins));
+         ((over & (moved < nearest_point.rim)) | ((!over) & ends & begins & stays_beside));
 }
 
 /// Where the nearest feature changes within a span, at whose end it has.

@@ -82,10 +82,10 @@ class LaneStepper {
     LaneBorder<R> border;  ///< the first place where a decision changes
     R length;
   };
-  /// What its own parts say of a step.
+  /// What its own parts say of a step (`Radau::roughness`).
   struct Judgement {
-    R error;      ///< as a multiple of what the scene allows
-    R roughness;  ///< the same of what this path may
+    R error;      ///< its roughness where a path is judged as the scene says
+    R roughness;  ///< the same as this path is judged, more strictly if it is taken again
     R next;       ///< how long the next step may be
     [[nodiscard]] Mask smooth() const { return roughness <= R(Radau::smooth); }
   };

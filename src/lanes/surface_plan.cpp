@@ -16,14 +16,14 @@ Vec3d lowest(Vec3d a, Vec3d b) {
 }
 Vec3d highest(Vec3d a, Vec3d b) { return -lowest(-a, -b); }
 
-/// A polygon that lanes look at.
+/// A flat face with edges: a polygon or a portal.
 struct Thin {
   std::span<const Vec3d> vertices;
   Vec3d normal;
-  std::uint32_t plane;  ///< as `FlushFaces` tells them, or `LeftPlane::none`
+  std::uint32_t plane;  ///< its index in `FlushFaces`; `LeftPlane::none` if nothing shares it
   Box box;
 
-  /// Whether all of it lies that close to the plane of another.
+  /// Whether all its corners lie that close to the plane of another.
   [[nodiscard]] bool hugs(const Thin& other, double distance) const {
     return std::all_of(vertices.begin(), vertices.end(), [&](const Vec3d& vertex) {
       return std::fabs(dot(vertex - other.vertices[0], other.normal)) <= distance;
@@ -31,7 +31,8 @@ struct Thin {
   }
 };
 
-/// What shapes say of themselves (`lay_out`, geometry/shape.h), as rows of a plan.
+/// What a shape's `lay_out` (geometry/shape.h) is given: it writes the polygons and balls that the
+/// shape reports into the plan of the lanes.
 class ShapeLayout {
  public:
   ShapeLayout(const Space& space, LanePlan& plan) : space_(space), plan_(plan) {}
@@ -70,7 +71,8 @@ class ShapeLayout {
     return true;
   }
 
-  /// Where faces lie one behind the other, closer than floats can tell, the scalar engine looks.
+  /// Adds a box wherever two faces are too close for floats to tell which of them comes first:
+  /// steps in there are left to the scalar engine.
   void add_narrow_gaps() {
     for (std::uint32_t i = 0; i < space_.portals.portals().size(); ++i) {
       const Portal& portal = space_.portals.portals()[i];

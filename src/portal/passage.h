@@ -2,15 +2,18 @@
 /// The list of passages: what leads light from one face of a pair to the other. A portal is a place
 /// to meet, its aperture, and a passage.
 ///
-/// To add one: a header beside this one, and a word in `Passage`. Each type has
+/// To add one: a header beside this one, and a word in `Passage`, before the last, which takes
+/// every pair. What a scene says of a face comes by `FaceInput` (`world/face_reader.h`). Each type
+/// has
 ///   static constexpr std::string_view name;          for people
 ///   static std::optional<T> between(const PassageInput&);
 ///       the passage from the first face to the second; nothing where the pair is none of its kind
 ///   Passed pass(Vec3d position, Vec3d direction) const;
 ///       where light comes out that meets the first face there: on the second face, or nearly
 ///   const Rigid* motion() const;
-///       the rigid motion that it is, for all of space; null where it is none. Gravity acts through
-///       rigid motions only, and so do shadow rays: through others a surface is lit by no lamp.
+///       the rigid motion that it equals everywhere; null where there is none. Couplings that have
+///       `asks_motion` need it: a scene of such a coupling is refused. So do shadow rays: through
+///       other passages no lamp lights a surface.
 /// and a default constructor, and is immutable.
 #pragma once
 
@@ -22,8 +25,7 @@ namespace portalens {
 
 using Passage = std::variant<RigidPassage>;
 
-/// The first of the list that takes the pair.
-/// @pre one does: the last, a rigid motion, takes all
+/// Asks the types in the list's order, and makes the first that takes the pair.
 [[nodiscard]] Passage passage_between(const PassageInput& input);
 
 [[nodiscard]] inline Passed pass(const Passage& passage, Vec3d position, Vec3d direction) {

@@ -21,7 +21,7 @@ constexpr std::uint64_t max_in_wave = 1024;
 /// Pixels whose layers are taken at once at most.
 constexpr std::uint64_t max_layer_pixels = 4096;
 
-/// What one tile at a time is taken in.
+/// Scratch memory for rendering one tile.
 struct TileRoom {
   WaveRoom carried;
   std::optional<SamplingGrid>
@@ -33,7 +33,8 @@ struct TileRoom {
   std::vector<PixelSample> lost_places;
 };
 
-/// As many rooms as ever were used at once. What is in them has no meaning to who takes one.
+/// A pool of scratch memory: as many rooms as were ever in use at once. The next user of one finds
+/// what the last left in it, and clears it.
 class TileRooms {
  public:
   [[nodiscard]] std::unique_ptr<TileRoom> take() {

@@ -13,8 +13,8 @@
 ///   Rgb max_reflected() const;
 ///       what it gives back of light from all round, where it gives back most, or a little more
 ///   bool sends() const;                                   whether `sample` gives something
-///   anywhere T::Here at(const SurfacePoint&) const;                the same with its textures
-///   looked up
+///   a type T::Here, and Here at(const SurfacePoint&) const;
+///       the same BSDF at one place, its textures looked up
 /// and is immutable; and `Here`, of few numbers and for unit directions away from the surface, on
 /// the side of the unit `normal`, has
 ///   Rgb albedo(Vec3d normal, Vec3d out) const;

@@ -1,6 +1,7 @@
 /// \file
 /// The list of lights: what is asked for light from elsewhere. To add one: a header beside this
-/// one, and a word in `Light`.
+/// one, and a word in `Light`. It has two kinds: those that [[light]] tables make, and those that
+/// are made from surfaces that emit (world/light_list.h).
 ///
 /// Each type has
 ///   static constexpr bool is_delta;
@@ -16,7 +17,6 @@
 /// and is immutable. What a [[light]] table may be has, too,
 ///   static constexpr std::string_view name;              its `type` there
 ///   static T from(Parameters&);                          faults are collected there
-/// The others are made from what emits (world/light_list.h).
 #pragma once
 
 #include <variant>
