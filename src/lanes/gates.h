@@ -208,7 +208,8 @@ class LaneGates {
     // Past the plane the face is at once as near as that.
     const auto behind = is_behind(gate, nearest_[g], start) | is_behind(gate, last, end);
     const auto below = (start.z < R(0)) & keeps_margin(-start.z, -end.z, path.sway);
-    return stays_beyond(R(gate.reach), start - q0, end - q1, path, !behind) & (below | !behind);
+    return stays_beyond(R(gate.reach), start - q0, end - q1, end - start, path, !behind) &
+           (below | !behind);
   }
 
   /// Where the nearest point of a gate that acts changes its feature, or where something begins or

@@ -218,13 +218,13 @@ template <class R>
 }
 
 /// True only where a path that begins further than that from something stays further.
-/// @param first, last  from its nearest points to the ends of the path
+/// @param first, last  from its nearest points, each to its end of the path
+/// @param chord        from end to end of the path
 /// @param convex       it is, as seen from both
 template <class R>
-[[nodiscard]] typename R::Mask stays_beyond(R radius, Vec3<R> first, Vec3<R> last,
+[[nodiscard]] typename R::Mask stays_beyond(R radius, Vec3<R> first, Vec3<R> last, Vec3<R> chord,
                                             const LanePath<R>& path, typename R::Mask convex) {
   const R from = sqrt(dot(first, first)), to = sqrt(dot(last, last));
-  const Vec3<R> chord = last - first;
   // The distance falls nowhere where it grows at the start, or still falls at the end.
   return (to >= radius) & ((from + to >= radius + radius + path.h) |
                            (convex & ((dot(first, chord) >= path.sway * from) |
@@ -240,7 +240,8 @@ template <class R>
   const R from = sqrt(dot(first, first)), to = sqrt(dot(last, last));
   const auto stays_in = keeps_margin(radius - from, radius - to, path.sway);
   if (!any(!within)) return stays_in;
-  return (within & stays_in) | ((!within) & stays_beyond(radius, first, last, path, R(0) < R(1)));
+  return (within & stays_in) |
+         ((!within) & stays_beyond(radius, first, last, last - first, path, R(0) < R(1)));
 }
 
 /// The square of a path's distance from a place, less that of a radius.

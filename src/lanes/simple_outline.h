@@ -14,7 +14,11 @@ template <class R>
 struct LaneSimpleNearest : LaneLinearNearest<R> {
   using Mask = typename R::Mask;
 
-  R feature;                    ///< -1: the inside; 2k: where edge k begins; 2k + 1: edge k
+  /// -1: the inside; 2k: where edge k begins; 2k + 1: edge k; right behind the face so much more.
+  /// What comes out of there has passed the face's inside, though the same edge may be nearest
+  /// again.
+  R feature;
+  static constexpr float right_behind = 64.0f;
   R distance_to_discontinuity;  ///< within this distance the nearest point does not jump
   R rim;                        ///< the distance from the rim, in the plane
   /// Of an edge, how far along it a place is, from 0 to `size`. Of a vertex, the same along the
@@ -83,6 +87,8 @@ struct LaneSimpleNearest : LaneLinearNearest<R> {
     nearest_point.fix_x = select(over, R(0), nearest_point.fix_x);
     nearest_point.fix_y = select(over, R(0), nearest_point.fix_y);
     nearest_point.feature = select(over, R(-1), nearest_point.feature);
+    nearest_point.feature = select(inside & !before_plane, nearest_point.feature + R(right_behind),
+                                   nearest_point.feature);
     nearest_point.distance_to_discontinuity =
         calm_at(outline, local, edge, nearest_point.rim, inside, before_plane);
     return nearest_point;
