@@ -1,7 +1,6 @@
 #include "reference/paper_method.h"
 
 #include <cmath>
-#include <optional>
 
 namespace portalens::reference {
 namespace {
@@ -114,12 +113,38 @@ bool PaperMethod::beyond_everything(Vec3d x, Vec3d direction) const {
   return true;
 }
 
+PaperMethod::Meeting PaperMethod::first_met(const Ray& ray, std::uint32_t left) const {
+  Meeting first;
+  first.distance = step_;
+  const auto& shapes = space_.surfaces.shapes();
+  for (std::uint32_t i = 0; i < shapes.size(); ++i) {
+    const double distance = meet(shapes[i], ray, first.distance);
+    if (distance < first.distance) first = {distance, i, std::nullopt};
+  }
+  const auto portals = space_.portals.portals();
+  for (std::uint32_t i = 0; i < portals.size(); ++i) {
+    const double slope = dot(ray.direction, portals[i].frame.normal);
+    if (slope >= 0.0 || i == left) continue;
+    const double s = -dot(ray.origin - portals[i].frame.origin, portals[i].frame.normal) / slope;
+    if (s >= 0.0 && s <= first.distance &&
+        within(portals[i].vertices, portals[i].frame.normal, ray.at(s)))
+      first.distance = s, first.entered = i;
+  }
+  return first;
+}
+
+std::optional<std::uint32_t> PaperMethod::horizon_about(Vec3d x) const {
+  std::optional<std::uint32_t> last;
+  for (std::uint32_t i = 0; i < space_.masses.size(); ++i)
+    if (length(space_.masses[i].center - x) <= space_.masses[i].horizon_radius) last = i;
+  return last;
+}
+
 Arrival PaperMethod::advance(const Photon& photon) const {
   Arrival arrival;
   Vec3d x = photon.position, t = photon.direction;
   const double c = space_.physics.c;
   const double dt = step_ / c;
-  const auto& shapes = space_.surfaces.shapes();
   std::uint32_t left = no_object;  // the portal just entered
   while (arrival.steps < space_.physics.max_steps) {
     ++arrival.steps;
@@ -127,46 +152,28 @@ Arrival PaperMethod::advance(const Photon& photon) const {
     const Vec3d perpendicular = g - t * dot(g, t);
     t = normalize(t * c + perpendicular * dt);
 
-    double nearest = step_;
-    Met met = Met::nothing;
-    std::uint32_t object = no_object;
-    for (std::uint32_t i = 0; i < shapes.size(); ++i) {
-      const double distance = meet(shapes[i], {x, t}, nearest);
-      if (distance < nearest) nearest = distance, met = Met::surface, object = i;
-    }
-    std::optional<std::uint32_t> entered;
-    const auto portals = space_.portals.portals();
-    for (std::uint32_t i = 0; i < portals.size(); ++i) {
-      const double slope = dot(t, portals[i].frame.normal);
-      if (slope >= 0.0 || i == left) continue;
-      const double s = -dot(x - portals[i].frame.origin, portals[i].frame.normal) / slope;
-      if (s >= 0.0 && s <= nearest &&
-          within(portals[i].vertices, portals[i].frame.normal, x + t * s))
-        nearest = s, entered = i;
-    }
-    x = x + t * nearest;
-    arrival.length += nearest;
+    const Meeting met = first_met({x, t}, left);
+    x = x + t * met.distance;
+    arrival.length += met.distance;
     left = no_object;
-    if (entered) {
+    if (met.entered) {
       if (++arrival.crossings > space_.max_crossings) break;
-      const Portal& portal = portals[*entered];
+      const Portal& portal = space_.portals.portals()[*met.entered];
       x = portal.motion()->move(x);
       t = portal.motion()->rotate(t);
-      left = *entered;
-    } else if (met == Met::surface) {
+      left = *met.entered;
+    } else if (met.surface != no_object) {
       arrival.fate = Fate::hit;
-      arrival.met = met;
-      arrival.object = object;
+      arrival.met = Met::surface;
+      arrival.object = met.surface;
       break;
     }
-    for (std::uint32_t i = 0; i < space_.masses.size(); ++i) {
-      if (length(space_.masses[i].center - x) <= space_.masses[i].horizon_radius) {
-        arrival.fate = Fate::absorbed;
-        arrival.met = Met::mass;
-        arrival.object = i;
-      }
+    if (const auto mass = horizon_about(x)) {
+      arrival.fate = Fate::absorbed;
+      arrival.met = Met::mass;
+      arrival.object = *mass;
+      break;
     }
-    if (arrival.fate == Fate::absorbed) break;
     if (beyond_everything(x, t)) {
       arrival.fate = Fate::escaped;
       break;

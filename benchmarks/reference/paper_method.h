@@ -4,6 +4,8 @@
 /// program is compared with. Dunigan & Pianta, sec. 4 to 6.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,7 +22,17 @@ class PaperMethod {
   [[nodiscard]] Arrival advance(const Photon& photon) const;
 
  private:
+  /// What a segment meets: a portal, else a surface; `distance` is that of the step if neither.
+  struct Meeting {
+    double distance = 0.0;
+    std::uint32_t surface = no_object;
+    std::optional<std::uint32_t> entered = std::nullopt;
+  };
+
   [[nodiscard]] Vec3d acceleration(Vec3d x, int depth, std::uint32_t left_out) const;
+  /// @param left  the portal that it comes out of
+  [[nodiscard]] Meeting first_met(const Ray& ray, std::uint32_t left) const;
+  [[nodiscard]] std::optional<std::uint32_t> horizon_about(Vec3d x) const;
   [[nodiscard]] bool beyond_everything(Vec3d x, Vec3d direction) const;
 
   const Space& space_;

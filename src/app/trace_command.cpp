@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <iostream>
 #include <limits>
@@ -178,26 +179,21 @@ int trace_photons(const TraceArguments& arguments) {
   return exit_done;
 }
 
-}  // namespace
-
-void add_trace_command(CLI::App& program, Command& chosen) {
-  const auto arguments = std::make_shared<TraceArguments>();
-  CLI::App& command = *program.add_subcommand(
-      "trace", "Follow single photons, by the scalar engine: one by one in double");
-  add_scene_options(command, arguments->scene);
+/// Which photons are followed, and how far. One of the options that are given back is required.
+std::array<CLI::Option*, 3> add_photon_options(CLI::App& command, TraceArguments& arguments) {
   CLI::Option* ray =
-      command.add_option("--ray", arguments->ray, "One photon: where it starts, and its direction")
+      command.add_option("--ray", arguments.ray, "One photon: where it starts, and its direction")
           ->expected(6)
           ->type_name("X Y Z DX DY DZ");
   CLI::Option* rays =
       command
-          .add_option("--rays", arguments->rays_file,
+          .add_option("--rays", arguments.rays_file,
                       "A file with one photon a line, as for --ray; - is standard input")
           ->type_name("FILE")
           ->excludes(ray);
   CLI::Option* pixels =
       command
-          .add_option("--pixel", arguments->pixels,
+          .add_option("--pixel", arguments.pixels,
                       "The camera's photon through the centre of a pixel, counted from the top "
                       "left, and on from mirror to mirror as the picture has it; may be repeated")
           ->type_size(2)
@@ -205,48 +201,64 @@ void add_trace_command(CLI::App& program, Command& chosen) {
           ->excludes(ray)
           ->excludes(rays);
   command
-      .add_option("--sample", arguments->sample,
+      .add_option("--sample", arguments.sample,
                   "With --pixel: the photon of the picture's sample N, from 0, not the centre's")
       ->needs(pixels)
       ->type_name("N");
   command
-      .add_option("--bounces", arguments->bounces,
+      .add_option("--bounces", arguments.bounces,
                   "Take the first N surfaces for mirrors, and list them; by default a photon ends "
                   "at its first surface. With --pixel: follow at most N bounces")
       ->check(CLI::Range(0, 1000000))
       ->type_name("N");
-  command
-      .add_option("-t,--threads", arguments->threads,
-                  "Threads; by default as many as the machine has")
-      ->check(CLI::Range(1, 1024));
-  command.add_flag("--path", arguments->path, "Print the points of the path, too");
-  command.add_flag("--json", arguments->json, "Print one JSON object a photon, each on its line");
+  return {ray, rays, pixels};
+}
+
+/// What is told of the paths, and where.
+void add_output_options(CLI::App& command, TraceArguments& arguments) {
+  command.add_flag("--path", arguments.path, "Print the points of the path, too");
+  command.add_flag("--json", arguments.json, "Print one JSON object a photon, each on its line");
   CLI::Option* output =
       command
           .add_option(
-              "-o,--output", arguments->output,
+              "-o,--output", arguments.output,
               "Write the paths, too: .obj, .ply, .gltf (coloured, with portals and masses), "
               ".csv; or draw them as a plan: .svg, .png")
           ->type_name("FILE");
   command
-      .add_option("--color", arguments->color,
+      .add_option("--color", arguments.color,
                   "Colour the paths by how their photons end, or by how sharply they turn")
       ->transform(one_of(path_color_names()))
       ->needs(output)
       ->type_name("fate|turning");
-  command.add_option("--plan", arguments->view, "From where a drawing looks at the scene")
+  command.add_option("--plan", arguments.view, "From where a drawing looks at the scene")
       ->transform(one_of(std::map<std::string, Standpoint>{
           {"top", Standpoint::top}, {"front", Standpoint::front}, {"side", Standpoint::side}}))
       ->needs(output)
       ->type_name("top|front|side");
+}
+
+}  // namespace
+
+void add_trace_command(CLI::App& program, Command& chosen) {
+  const auto arguments = std::make_shared<TraceArguments>();
+  CLI::App& command = *program.add_subcommand(
+      "trace", "Follow single photons, by the scalar engine: one by one in double");
+  add_scene_options(command, arguments->scene);
+  const auto photons = add_photon_options(command, *arguments);
+  command
+      .add_option("-t,--threads", arguments->threads,
+                  "Threads; by default as many as the machine has")
+      ->check(CLI::Range(1, 1024));
+  add_output_options(command, *arguments);
   command.footer(R"(
 Examples:
   portalens trace scene.toml --ray 0 1 5  0 0 -1
   portalens trace scene.toml --pixel 320 180
   portalens trace scene.toml --pixel 320 180 -o path.gltf
   portalens trace scene.toml --rays rays.txt --json --path > paths.jsonl)");
-  command.callback([arguments, ray, rays, pixels, &chosen] {
-    if (ray->count() + rays->count() + pixels->count() == 0)
+  command.callback([arguments, photons, &chosen] {
+    if (photons[0]->count() + photons[1]->count() + photons[2]->count() == 0)
       throw CLI::RequiredError("--ray, --rays or --pixel");
     chosen = [arguments] { return trace_photons(*arguments); };
   });

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "gravity/clear_passage.h"
 #include "gravity/decision_hash.h"
 #include "gravity/way_formulas.h"
 

@@ -53,10 +53,6 @@ struct Way {
 /// @return whether there is such a way
 [[nodiscard]] bool shortest_passages(Vec3d from, Vec3d to, FaceRow faces, double limit, Turns& out);
 
-/// Within this distance of `from` the shortest path does not jump: it passes one face as it does
-/// there, but that it may slide from an edge onto a vertex of it, or back.
-[[nodiscard]] double clear_passage(Vec3d from, Vec3d to, const PortalFace& face);
-
 /// The path with these turns, an edge counting as its whole line: smooth in `from`. Its bends
 /// are the points of the polyline, one for each turn that is not straight.
 [[nodiscard]] Polyline bends(Vec3d from, Vec3d to, FaceRow faces, const Turns& turns);

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <memory>
 #include <new>
@@ -16,6 +15,7 @@
 #include "core/words.h"
 #include "io/files.h"
 #include "io/lines.h"
+#include "io/mesh_gaps.h"
 #include "io/mtl.h"
 #include "io/paths.h"
 #include "io/tokens.h"
@@ -29,7 +29,6 @@ constexpr std::uint64_t max_mtl_bytes = std::uint64_t{16} << 20;
 constexpr std::size_t max_corners = 1000;  // of one polygon
 constexpr std::size_t max_faults = 100;
 constexpr double max_far = 1e15;  // single precision squares it
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
 /// Statements that say nothing about surfaces, and are passed over.
 constexpr std::string_view harmless[] = {"o", "g", "s", "l", "p"};
@@ -52,7 +51,7 @@ class MeshReader {
       faults_->add({file_, 0}, "the mesh has no faces", "check that the file is whole");
     }
     if (faults_->size() > before_) return {};
-    fill_gaps();
+    fill_gaps(mesh_, materials_, {file_, 0});
     return {std::move(mesh_), std::move(materials_)};
   }
 
@@ -77,7 +76,7 @@ class MeshReader {
       // Also after a fault, so that the count of the others stays right.
       mesh_.positions.push_back(numbers(3, 8, "v x y z").value_or(Vec3d{}));
     } else if (word == "vn") {
-      mesh_.normals.push_back(unit(numbers(3, 3, "vn x y z").value_or(Vec3d{})));
+      mesh_.normals.push_back(unit_normal(numbers(3, 3, "vn x y z").value_or(Vec3d{})));
     } else if (word == "vt") {
       const Vec3d point = numbers(1, 3, "vt u v").value_or(Vec3d{});
       mesh_.uvs.push_back({point.x, point.y});
@@ -113,18 +112,12 @@ class MeshReader {
     return result;
   }
 
-  /// A normal of no length stays so, and counts as left out.
-  static Vec3d unit(Vec3d n) {
-    const double largest = std::max({std::fabs(n.x), std::fabs(n.y), std::fabs(n.z)});
-    return largest > 0.0 ? normalize(n / largest) : Vec3d{};
-  }
-
-  /// One index of `a/b/c`: from 1 up, or back from the last one. `none` if it is left out.
+  /// One index of `a/b/c`: from 1 up, or back from the last one. `left_out` if it is so.
   bool index(std::string_view word, std::size_t count, std::uint32_t& result) {
-    result = none;
+    result = left_out;
     if (word.empty()) return true;
     const auto given = parse_integer(word);
-    const auto limit = static_cast<std::int64_t>(none);
+    const auto limit = static_cast<std::int64_t>(left_out);
     if (!given || *given == 0 || *given >= limit || *given < -static_cast<std::int64_t>(count)) {
       return false;
     }
@@ -144,7 +137,7 @@ class MeshReader {
     Corner result;
     if (begin <= word.size() || !index(parts[0], mesh_.positions.size(), result.position) ||
         !index(parts[1], mesh_.uvs.size(), result.uv) ||
-        !index(parts[2], mesh_.normals.size(), result.normal) || result.position == none) {
+        !index(parts[2], mesh_.normals.size(), result.normal) || result.position == left_out) {
       refuse(in_quotes(word) + " is not a corner of this mesh",
              std::to_string(mesh_.positions.size()) +
                  " vertices stand above; write v, v/vt, v//vn or v/vt/vn, counted from 1");
@@ -158,7 +151,7 @@ class MeshReader {
   }
 
   static bool missing(std::uint32_t index, std::size_t count) {
-    return index != none && index >= count;
+    return index != left_out && index >= count;
   }
 
   void face() {
@@ -249,75 +242,6 @@ class MeshReader {
     }
   }
 
-  void fill_gaps() {
-    fill_normals();
-    fill_uvs();
-    fill_materials();
-  }
-
-  /// Faces without normals, among others that have them, are flat.
-  void fill_normals() {
-    bool any = false;
-    for (auto& triangle : mesh_.corners) {
-      for (Corner& one : triangle) {
-        if (one.normal != none && mesh_.normals[one.normal] == Vec3d{}) one.normal = none;
-        any |= one.normal != none;
-      }
-    }
-    if (!any) mesh_.normals.clear();
-    for (auto& triangle : mesh_.corners) {
-      std::optional<std::uint32_t> flat;
-      for (Corner& one : triangle) {
-        if (one.normal != none) continue;
-        if (any && !flat) {
-          flat = static_cast<std::uint32_t>(mesh_.normals.size());
-          mesh_.normals.push_back(flat_normal(triangle));
-        }
-        one.normal = flat.value_or(0);
-      }
-    }
-  }
-
-  [[nodiscard]] Vec3d flat_normal(const std::array<Corner, 3>& triangle) const {
-    const Vec3d a = mesh_.positions[triangle[0].position];
-    const Vec3d n = unit(cross(mesh_.positions[triangle[1].position] - a,
-                               mesh_.positions[triangle[2].position] - a));
-    return n == Vec3d{} ? Vec3d{0, 1, 0} : n;  // no area: nothing ever meets it
-  }
-
-  void fill_uvs() {
-    bool any = false, gap = false;
-    for (const auto& triangle : mesh_.corners) {
-      for (const Corner& one : triangle) (one.uv != none ? any : gap) = true;
-    }
-    const auto origin = static_cast<std::uint32_t>(any ? mesh_.uvs.size() : 0);
-    if (!any) mesh_.uvs.clear();
-    if (any && gap) mesh_.uvs.push_back({0.0, 0.0});
-    for (auto& triangle : mesh_.corners) {
-      for (Corner& one : triangle) {
-        if (one.uv == none) one.uv = origin;
-      }
-    }
-  }
-
-  /// Faces before the first usemtl, among others that have a material, get a plain one.
-  void fill_materials() {
-    if (materials_.empty() || std::all_of(mesh_.material_of.begin(), mesh_.material_of.end(),
-                                          [](std::uint32_t m) { return m == none; })) {
-      mesh_.material_of.clear();
-      materials_.clear();
-      return;
-    }
-    const auto plain = static_cast<std::uint32_t>(materials_.size());
-    bool used = false;
-    for (std::uint32_t& material : mesh_.material_of) {
-      if (material != none) continue;
-      material = plain;
-      used = true;
-    }
-    if (used) materials_.push_back({"material", {file_, 0}, {}});
-  }
-
   LineReader lines_;
   std::filesystem::path path_;
   std::shared_ptr<const std::string> file_;
@@ -327,7 +251,7 @@ class MeshReader {
   Triangles mesh_;
   std::vector<Table> materials_;
   std::map<std::string, std::uint32_t> material_by_name_;
-  std::uint32_t material_ = none;
+  std::uint32_t material_ = left_out;
   std::vector<Ahead> ahead_;
   std::vector<Corner> polygon_;
   std::vector<Vec3d> points_;

@@ -5,9 +5,9 @@
 
 #include "gravity/crossing_formulas.h"
 #include "lanes/border.h"
+#include "lanes/face_axes.h"
 #include "lanes/four.h"
 #include "lanes/path.h"
-#include "lanes/rectangle.h"
 #include "lanes/scene.h"
 
 namespace portalens {

@@ -3,6 +3,10 @@
 /// in `Field`.
 #pragma once
 
+#include "lanes/border.h"
+#include "lanes/face_axes.h"
+#include "lanes/first_meeting.h"
+#include "lanes/path.h"
 #include "lanes/pull.h"
 #include "lanes/scene.h"
 

@@ -3,7 +3,11 @@
 #pragma once
 
 #include "gravity/graviton_bilinear.h"
+#include "lanes/border.h"
+#include "lanes/face_axes.h"
+#include "lanes/first_meeting.h"
 #include "lanes/four.h"
+#include "lanes/path.h"
 #include "lanes/pull.h"
 #include "lanes/rectangle.h"
 #include "lanes/scene.h"

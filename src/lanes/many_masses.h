@@ -3,6 +3,9 @@
 /// lane of its pack, which a grid tells.
 #pragma once
 
+#include "lanes/border.h"
+#include "lanes/face_axes.h"
+#include "lanes/first_meeting.h"
 #include "lanes/mass_grid_walk.h"
 #include "lanes/path.h"
 #include "lanes/pull.h"

@@ -8,7 +8,6 @@
 #include "lanes/border.h"
 #include "lanes/marks.h"
 #include "lanes/path.h"
-#include "lanes/rectangle.h"
 #include "lanes/scene.h"
 
 namespace portalens {

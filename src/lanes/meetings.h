@@ -2,6 +2,7 @@
 /// Over lanes: what a step meets: horizons, portals, surfaces, and boxes of what lanes can't judge.
 #pragma once
 
+#include "lanes/face_axes.h"
 #include "lanes/finding.h"
 #include "lanes/outline.h"
 #include "lanes/pack.h"

@@ -3,7 +3,9 @@
 /// where what decides it changes along a path. `rectangle.h` for all shapes.
 #pragma once
 
-#include "lanes/rectangle.h"
+#include "lanes/border.h"
+#include "lanes/face_axes.h"
+#include "lanes/first_meeting.h"
 
 namespace portalens {
 

@@ -4,7 +4,6 @@
 
 #include "gravity/attraction.h"
 #include "gravity/law.h"
-#include "lanes/rectangle.h"
 #include "lanes/scene.h"
 #include "math/multiply_add.h"
 #include "math/vec3.h"

@@ -4,39 +4,13 @@
 #pragma once
 
 #include "lanes/border.h"
+#include "lanes/face_axes.h"
+#include "lanes/first_meeting.h"
 #include "lanes/path.h"
-#include "lanes/scene.h"
 #include "math/multiply_add.h"
 #include "math/vec3.h"
 
 namespace portalens {
-
-template <class R>
-Vec3<R> spread(LaneVec v) {
-  return {R(v.x), R(v.y), R(v.z)};
-}
-
-/// In local coordinates of a frame.
-template <class R>
-Vec3<R> to_axes(Vec3<R> d, LaneVec right, LaneVec up, LaneVec normal) {
-  return {dot(d, spread<R>(right)), dot(d, spread<R>(up)), dot(d, spread<R>(normal))};
-}
-
-/// A direction from the axes of a face.
-template <class R, class Face>
-Vec3<R> to_world(const Face& face, Vec3<R> local) {
-  const Vec3<R> level = multiply_add(spread<R>(face.up), local.y, spread<R>(face.right) * local.x);
-  return multiply_add(spread<R>(face.normal), local.z, level);
-}
-
-/// A place in the local coordinates of a face.
-template <class R>
-Vec3<R> local_in(const LaneFace& face, Vec3<R> x) {
-  return to_axes(x - spread<R>(face.origin), face.right, face.up, face.normal);
-}
-
-template <class R>
-struct LocalPath;
 
 /// The feature of a rectangle that is nearest: q.x = keep_x · local.x + fix_x, and so on.
 template <class R>
@@ -161,161 +135,29 @@ template <class R, class Rectangle>
   return keeps & ((!behind) | keeps_margin(first, last, sway.x + sway.y));
 }
 
-/// A step's path in the local coordinates of a rectangle.
-template <class R>
-struct LocalPath {
-  LaneQuintic<R, R> x, y, z;
-
-  /// @param face  has `origin`, `right`, `up`, `normal`
-  template <class Face>
-  [[nodiscard]] static LocalPath over(const Face& face, const LanePath<R>& path) {
-    const Vec3<R> start =
-        to_axes(path.place.c0 - spread<R>(face.origin), face.right, face.up, face.normal);
-    return {path.height(start.x, spread<R>(face.right)), path.height(start.y, spread<R>(face.up)),
-            path.height(start.z, spread<R>(face.normal))};
-  }
-};
-
-/// The square of the distance, along a path, from a face, less that of its reach: from the held
-/// feature where it acts, else from the nearest, whichever that is there.
-template <class R, class Face, class Nearest>
-struct LaneApart {
-  const Face& face;  ///< has `reach2`
-  LocalPath<R> path;
-  const Nearest& held;
-  typename R::Mask acts;
-
-  [[nodiscard]] R at(R u) const {
-    const Vec3<R> from = from_face(u);
-    return dot(from, from) - R(face.reach2);
-  }
-  [[nodiscard]] R slope(R u) const {
-    const Vec3<R> way{path.x.slope(u), path.y.slope(u), path.z.slope(u)};
-    // What its nearest point moves by is at right angles to that.
-    return R(2) * dot(from_face(u), way);
-  }
-
- private:
-  [[nodiscard]] Vec3<R> from_face(R u) const {
-    const Vec3<R> local{path.x.at(u), path.y.at(u), path.z.at(u)};
-    Nearest nearest_point = held;
-    if (any(!acts)) nearest_point.take(!acts, Nearest::on(face, local));
-    return {local.x - nearest_point.x(local), local.y - nearest_point.y(local), local.z};
-  }
-};
-
-/// The first place on a step's path where what acts changes.
-template <class R>
-struct FirstMeeting {
-  using Mask = typename R::Mask;
-
-  R share{2};  ///< of the step; beyond 1: none
-  Mask missed =
-      R(1) < R(0);  ///< lanes where something has changed at once, but where was not found
-
-  /// Where nothing has been met before a span.
-  [[nodiscard]] Mask open(LaneSpan<R> span) const { return (share > span.low) & !missed; }
-
-  /// Where a height vanishes that has other signs at the ends of a span; which lanes that is in.
-  /// Large, and seldom asked for: never inlined, as all that is asked for only where something
-  /// changes.
-  /// @param height  a polynomial, or the square of a distance less that of a radius
-  template <class Height>
-  [[gnu::noinline]] Mask offer(Mask may, const Height& height, LaneSpan<R> span) {
-    const R z0 = height.at(span.low), z1 = height.at(span.high);
-    const auto crosses = may & (((z0 > R(0)) & (z1 <= R(0))) | ((z0 < R(0)) & (z1 >= R(0))));
-    if (!any(crosses)) return crosses;
-    const R part = z0 / select(crosses, z0 - z1, R(1));
-    const R guess = multiply_add(span.high - span.low, part, span.low);
-    const R u = crossing(crosses, height, guess, z0, span.low, span.high);
-    share = min(share, select(crosses, u, R(2)));
-    return crosses;
-  }
-
-  /// Where a ball is entered or left within a span, be it only for a part of it.
-  /// @param within  it counts as within at the start of the step
-  /// @param squares  of the distance from the ball's middle at both ends of the span
-  /// @param gap     no distance changes by more over the span
-  /// @param square  gives the square of the distance, less that of the radius, on the path
-  template <class Square>
-  void offer_ball(Mask may, Mask within, R radius, LaneSpan<R> squares, R gap, LaneSpan<R> span,
-                  const Square& square) {
-    const auto ends_in = squares.high < radius * radius;
-    const Mask toggles = may & ((ends_in & !within) | (within & !ends_in));
-    const R inner = max(radius - R(0.5) * gap, R(0)), outer = radius + R(0.5) * gap;
-    const Mask grazes = may & !toggles &
-                        ((within & (max(squares.low, squares.high) > inner * inner)) |
-                         ((!within) & (min(squares.low, squares.high) < outer * outer)));
-    if (any(toggles | grazes)) meet_ball(toggles, grazes, within, span, square);
-  }
-
-  /// Where the nearest feature of a rectangle changes within a span, at whose end it has.
-  template <class Rectangle>
-  [[gnu::noinline]] void offer_borders(const Rectangle& rectangle,
-                                       const LaneNearest<R>& nearest_point, Mask may,
-                                       const LocalPath<R>& path, LaneSpan<R> span) {
-    const R w(rectangle.half_width), h(rectangle.half_height);
-    const R x = path.x.at(span.high), y = path.y.at(span.high);
-    const R side_x =
-        select(nearest_point.keep_x > R(0), select(x < R(0), -w, w), nearest_point.fix_x);
-    const R side_y =
-        select(nearest_point.keep_y > R(0), select(y < R(0), -h, h), nearest_point.fix_y);
-    Mask met = offer(may, path.x + -side_x, span) | offer(may, path.y + -side_y, span);
-    met = met | offer(may, path.z, span);
-    const auto behind = may & (path.z.at(span.low) < R(0));
-    if (any(behind)) {
-      const R gap = h - w;
-      met =
-          met | offer(behind, path.x, span) | offer(behind, path.y, span) |
-          offer(behind, path.x - path.y + gap, span) | offer(behind, path.x - path.y + -gap, span) |
-          offer(behind, path.x + path.y + gap, span) | offer(behind, path.x + path.y + -gap, span);
-    }
-    miss(may & !met, span);
-  }
-
-  /// Something has changed within a span, but where was not found: the step ends before it.
-  void miss(Mask where, LaneSpan<R> span) {
-    const Mask later = span.low > R(0);
-    share = select(where & later, min(share, span.low), share);
-    missed = missed | (where & !later);
-  }
-
- private:
-  /// What `offer_ball` does where the ball is met.
-  template <class Square>
-  [[gnu::noinline]] void meet_ball(Mask toggles, Mask grazes, Mask within, LaneSpan<R> span,
-                                   const Square& square) {
-    const auto excess = square();
-    if (any(grazes)) offer_graze(grazes, within, excess, span);
-    if (any(toggles)) miss(toggles & !offer(toggles, excess, span), span);
-  }
-
-  /// Where a ball is entered and left again within a span, or left and entered.
-  template <class Excess>
-  void offer_graze(Mask may, Mask within, const Excess& excess, LaneSpan<R> span) {
-    const R side = select(within, R(-1), R(1));
-    const Mask turns =
-        may & (excess.slope(span.low) * side < R(0)) & (excess.slope(span.high) * side > R(0));
-    if (!any(turns)) return;
-    R low = span.low, high = span.high;
-    for (int k = 0; k < 8; ++k) {
-      const R middle = (low + high) * R(0.5);
-      const auto before = excess.slope(middle) * side < R(0);
-      low = select(before, middle, low);
-      high = select(before, high, middle);
-    }
-    const R turn = (low + high) * R(0.5);
-    const Mask passes = turns & (excess.at(turn) * side < R(0));
-    if (any(passes)) offer(passes, excess, {span.low, turn});
-  }
-};
-
-/// Where the nearest feature of a rectangle changes.
+/// Where the nearest feature of a rectangle changes within a span, at whose end it has.
 template <class R, class Rectangle>
-void offer_borders(FirstMeeting<R>& first, const Rectangle& rectangle,
-                   const LaneNearest<R>& nearest_point, typename R::Mask may,
-                   const LocalPath<R>& path, LaneSpan<R> span) {
-  first.offer_borders(rectangle, nearest_point, may, path, span);
+[[gnu::noinline]] void offer_borders(FirstMeeting<R>& first, const Rectangle& rectangle,
+                                     const LaneNearest<R>& nearest_point, typename R::Mask may,
+                                     const LocalPath<R>& path, LaneSpan<R> span) {
+  const R w(rectangle.half_width), h(rectangle.half_height);
+  const R x = path.x.at(span.high), y = path.y.at(span.high);
+  const R side_x =
+      select(nearest_point.keep_x > R(0), select(x < R(0), -w, w), nearest_point.fix_x);
+  const R side_y =
+      select(nearest_point.keep_y > R(0), select(y < R(0), -h, h), nearest_point.fix_y);
+  auto met = first.offer(may, path.x + -side_x, span) | first.offer(may, path.y + -side_y, span);
+  met = met | first.offer(may, path.z, span);
+  const auto behind = may & (path.z.at(span.low) < R(0));
+  if (any(behind)) {
+    const R gap = h - w;
+    met = met | first.offer(behind, path.x, span) | first.offer(behind, path.y, span) |
+          first.offer(behind, path.x - path.y + gap, span) |
+          first.offer(behind, path.x - path.y + -gap, span) |
+          first.offer(behind, path.x + path.y + gap, span) |
+          first.offer(behind, path.x + path.y + -gap, span);
+  }
+  first.miss(may & !met, span);
 }
 
 /// Where, straight on but for how the path turns at first, the nearest feature changes or the

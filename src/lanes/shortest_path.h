@@ -6,8 +6,12 @@
 #include <utility>
 
 #include "gravity/way_formulas.h"
+#include "lanes/border.h"
+#include "lanes/face_axes.h"
+#include "lanes/first_meeting.h"
+#include "lanes/path.h"
 #include "lanes/pull.h"
-#include "lanes/rectangle.h"
+#include "lanes/rim.h"
 #include "lanes/scene.h"
 
 namespace portalens {
@@ -25,11 +29,11 @@ class LaneShortestPath {
       const LaneEntrance& entrance = scene_.entrances[e];
       const Vec3<R> local = local_in(entrance.face, anchor);
       for (int i = entrance.first; i < entrance.end; ++i) {
-        const Passage passage = shortest(entrance.face, scene_.ways[i], local);
+        const Passage passage = Rim::shortest(entrance.face, scene_.ways[i], local);
         passed_[i] = passage.code;
         began_[i] = passage.margin;
         acting_ = acting_ | (passage.code > R(0));
-        freeze(scene_.ways[i], passage, held_[i]);
+        Rim::freeze(scene_.ways[i], passage, held_[i]);
       }
     }
   }
@@ -96,25 +100,25 @@ class LaneShortestPath {
         const Vec3<R> to = local_in(entrance.face, looks.place[k]);
         for (int i = entrance.first; i < entrance.end; ++i) {
           const auto passage_at = [&](R u) {
-            return shortest(entrance.face, scene_.ways[i],
-                            local_in(entrance.face, path.place.at(u)));
+            return Rim::shortest(entrance.face, scene_.ways[i],
+                                 local_in(entrance.face, path.place.at(u)));
           };
           const auto tell = [&](Mask where, R u) { found = select(where, min(found, u), found); };
           const Margin &a = before[i], &b = after[i];
           const Mask out = !(passed_[i] > R(0));
-          seek(still & out, span, a.beyond, b.beyond, path.h, [&](Mask may, R u) {
+          Rim::seek(still & out, span, a.beyond, b.beyond, path.h, [&](Mask may, R u) {
             const Passage passage = passage_at(u);
             tell(may & (passage.code > R(0)), u);
             return passage.margin.beyond;
           });
-          seek(still & (passed_[i] > R(1)), span, a.lead, b.lead, R(2) * path.h,
-               [&](Mask may, R u) {
-                 const Passage passage = passage_at(u);
-                 const Mask other = may & !(passage.code == passed_[i]);
-                 tell(other, u);
-                 return select(other, R(0), passage.margin.lead);
-               });
-          const LaneSpan<R> open = open_between(entrance.face, scene_.ways[i], from, to);
+          Rim::seek(still & (passed_[i] > R(1)), span, a.lead, b.lead, R(2) * path.h,
+                    [&](Mask may, R u) {
+                      const Passage passage = passage_at(u);
+                      const Mask other = may & !(passage.code == passed_[i]);
+                      tell(other, u);
+                      return select(other, R(0), passage.margin.lead);
+                    });
+          const LaneSpan<R> open = Rim::open_between(entrance.face, scene_.ways[i], from, to);
           const Mask may = still & !(passed_[i] == R(1)) & (open.low < open.high);
           if (!any(may)) continue;
           const R u = multiply_add(span.high - span.low, (open.low + open.high) * R(0.5), span.low);
@@ -156,133 +160,12 @@ class LaneShortestPath {
   static constexpr bool foresees_planes = false;
 
  private:
-  static constexpr int halvings = 14, seeks = 4;
+  using Rim = LaneRim<R>;
+  using Margin = typename Rim::Margin;
+  using Passage = typename Rim::Passage;
+  using Held = typename Rim::Held;
 
-  /// How far a passage is from another: lengths, which change by no more than the place does, and
-  /// by twice that.
-  struct Margin {
-    R beyond;  ///< how much longer than the influence it is
-    R lead;    ///< how much shorter than that over another feature of the rim
-  };
-  /// How a path passes the rim: over the edge along x or y on the line at `side`, or over a vertex.
-  struct Passage {
-    R code;  ///< 0: out of reach, 1: straight, else one number for each feature
-    R along_x, side, place;
-    R slides;  ///< 1 inside of the edge, 0 at a vertex
-    Margin margin;
-  };
-  /// What of a passage stays frozen.
-  struct Held {
-    R gm;  ///< 0 out of reach
-    R straight, along_x, side, off;
-    R slides, place;
-  };
-
-  [[nodiscard]] static Passage shortest(const LaneFace& face, const LaneWay& way, Vec3<R> a) {
-    const R w(face.half_width), h(face.half_height);
-    const Vec3<R> b = spread<R>(way.image);
-    // Over each edge in turn, below, right, above, left.
-    Passage best{R(0), R(1), R(0), R(0), R(0), {R(0), R(0)}};
-    R least(never), second(never), feature(0);
-    for (int k = 0; k < 4; ++k) {
-      const bool along_x = k % 2 == 0;
-      const R half = along_x ? w : h;
-      const R side = along_x ? (k == 0 ? -h : h) : (k == 1 ? w : -w);
-      const R aside = (along_x ? a.y : a.x) - side;
-      const BesideLine<R> ends{(along_x ? a.x : a.y) + half, sqrt(aside * aside + a.z * a.z),
-                               (along_x ? b.x : b.y) + half, R(way.off[k])};
-      const RimWay<R> found = over_rim(ends, half * R(2));
-      const Mask better = found.length < least;
-      const Mask low = found.place <= R(0), high = found.place >= half * R(2);
-      // Vertices count from the lower left; the first of edge 0 is 0, its last is 1, and so on.
-      const int first = k < 2 ? k : (k == 2 ? 3 : 0), last = k < 2 ? k + 1 : (k == 2 ? 2 : 3);
-      const R code = select(low, R(6 + first), select(high, R(6 + last), R(2 + k)));
-      // A vertex is met along two edges.
-      const R longer = select(better, least, found.length);
-      second = select(code == feature, second, min(second, longer));
-      least = select(better, found.length, least);
-      feature = select(better, code, feature);
-      best.along_x = select(better, R(along_x ? 1 : 0), best.along_x);
-      best.side = select(better, side, best.side);
-      best.place = select(better, found.place - half, best.place);
-      best.slides = select(better, select(low | high, R(0), R(1)), best.slides);
-    }
-    const Vec3<R> to = b - a;
-    const Mask open = straight_through(face, a, b);
-    const R influence(way.influence), direct = dot(to, to),
-                                      length = select(open, sqrt(direct), least);
-    const Mask near = (open & (direct < influence * influence)) | ((!open) & (least < influence));
-    best.code = select(near, select(open, R(1), feature), R(0));
-    best.margin = {length - influence, second - least};
-    return best;
-  }
-
-  /// Which part of the path from a to b, as shares, lies where the image is seen through the face:
-  /// before it, within the pyramid over it whose top is the image. Nothing where low >= high.
-  [[nodiscard]] static LaneSpan<R> open_between(const LaneFace& face, const LaneWay& way, Vec3<R> a,
-                                                Vec3<R> b) {
-    const Vec3<R> image = spread<R>(way.image);
-    LaneSpan<R> span{R(0), select(image.z <= R(face.tolerance), R(1), R(0))};
-    const auto keep = [&](R at_a, R at_b) {
-      const R zero = at_a / (at_a - at_b);
-      span.low = select(at_a < R(0), select(at_b < R(0), R(2), max(span.low, zero)), span.low);
-      span.high = select((at_b < R(0)) & (at_a >= R(0)), min(span.high, zero), span.high);
-    };
-    keep(a.z, b.z);
-    const R from_a = a.z - image.z, from_b = b.z - image.z;
-    const auto between = [&](R at_a, R at_b, R top, R half) {
-      const R aside_a = top * a.z - image.z * at_a, aside_b = top * b.z - image.z * at_b;
-      keep(half * from_a - aside_a, half * from_b - aside_b);
-      keep(half * from_a + aside_a, half * from_b + aside_b);
-    };
-    between(a.x, b.x, image.x, R(face.half_width));
-    between(a.y, b.y, image.y, R(face.half_height));
-    return span;
-  }
-
-  /// Looks where a margin that is positive at two places may vanish between them: first at the
-  /// bottom of the valley that it would fall into and come out of as steeply as it may.
-  /// @param slope  the most that it changes by over the whole step
-  /// @param at     the margin there
-  template <class At>
-  static void seek(Mask may, LaneSpan<R> span, R low, R high, R slope, const At& at) {
-    const auto bottom = [&](R a, R b, R width) { return a + b - slope * width; };
-    for (int i = 0; i < seeks; ++i) {
-      const R width = span.high - span.low;
-      may = may & (bottom(low, high, width) < R(0)) & (min(low, high) > R(0));
-      if (!any(may)) return;
-      const R u = span.low + min(max((low - high) / slope + width, R(0)) * R(0.5), width);
-      const R here = at(may, u);
-      // What is convex is least beside the lower of two neighbours.
-      const Mask deep = here < min(low, high);
-      const Mask deeper = bottom(low, here, u - span.low) < bottom(here, high, span.high - u);
-      const Mask before = (deep & deeper) | ((!deep) & (low < high));
-      span = {select(before, span.low, u), select(before, u, span.high)};
-      low = select(before, low, here);
-      high = select(before, here, high);
-    }
-  }
-
-  /// Whether the segment from a to b crosses the face from front to back.
-  [[nodiscard]] static Mask straight_through(const LaneFace& face, Vec3<R> a, Vec3<R> b) {
-    const R above = max(a.z, R(0)), below = max(-b.z, R(0));
-    const R t = select(above > R(0), above / (above + below), R(0));
-    return (a.z >= R(-face.tolerance)) & (b.z <= R(face.tolerance)) &
-           (abs(a.x + (b.x - a.x) * t) <= R(face.half_width)) &
-           (abs(a.y + (b.y - a.y) * t) <= R(face.half_height));
-  }
-
-  static void freeze(const LaneWay& way, const Passage& passage, Held& held) {
-    held.gm = select(passage.code > R(0), R(way.gm), R(0));
-    held.straight = select(passage.code == R(1), R(1), R(0));
-    held.along_x = passage.along_x;
-    held.side = passage.side;
-    const Vec3<R> b = spread<R>(way.image);
-    const R aside = select(passage.along_x > R(0), b.y, b.x) - passage.side;
-    held.off = sqrt(aside * aside + b.z * b.z);
-    held.slides = passage.slides;
-    held.place = passage.place;
-  }
+  static constexpr int halvings = 14;
 
   /// @param margins  of each way, there
   [[nodiscard]] Mask differs(Vec3<R> x, Margin* margins) const {
@@ -291,7 +174,7 @@ class LaneShortestPath {
       const LaneEntrance& entrance = scene_.entrances[e];
       const Vec3<R> local = local_in(entrance.face, x);
       for (int i = entrance.first; i < entrance.end; ++i) {
-        const Passage passage = shortest(entrance.face, scene_.ways[i], local);
+        const Passage passage = Rim::shortest(entrance.face, scene_.ways[i], local);
         found = found | !(passage.code == passed_[i]);
         margins[i] = passage.margin;
       }

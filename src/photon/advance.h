@@ -11,11 +11,13 @@
 #include "gravity/influence.h"
 #include "photon/change_finder.h"
 #include "photon/curve.h"
+#include "photon/flight.h"
 #include "photon/horizons.h"
 #include "photon/last_pull.h"
 #include "photon/obstacles.h"
 #include "photon/path_trace.h"
 #include "photon/ray_state.h"
+#include "photon/traveller.h"
 #include "photon/vicinity.h"
 
 namespace portalens {
@@ -24,11 +26,10 @@ namespace portalens {
 /// against. Borrows the space; the scratch it keeps makes it one thread's own.
 /// @tparam W  the `Weighing` of the law
 template <class I, class C, class W>
-class Tracer {
+class Tracer : public Traveller {
  public:
-  Tracer(const Tracer&) = delete;
   Tracer(const Space& space, const I& integrator, const C& coupling, W)
-      : space_(space),
+      : Traveller(space),
         tolerance_(space.physics.tolerance),
         integrator_(integrator),
         field_(space.masses, space.mass_tree, coupling, space.physics.c,
@@ -67,17 +68,6 @@ class Tracer {
     return *coarse;
   }
 
-  /// Takes up a path that was begun elsewhere.
-  void resume(const RayState& way) {
-    ray_state_ = way;
-    free_length_ = 0.0;
-    longest_ = unbounded;
-    restless_ = true;
-  }
-  [[nodiscard]] const RayState& way() const { return ray_state_; }
-  /// Nothing is met within this much path from where it is.
-  [[nodiscard]] double free_length() const { return free_length_; }
-
   /// One flight or step; whether the photon has arrived.
   bool one_step() {
     Arrival& arrival = ray_state_.arrival;
@@ -102,51 +92,6 @@ class Tracer {
     return step();
   }
 
-  /// Ends a path that has gone too far; whether it has.
-  bool gives_up() {
-    const Physics& physics = space_.physics;
-    const Arrival& arrival = ray_state_.arrival;
-    if (arrival.turning > physics.max_turning) return end(Fate::trapped);
-    if (arrival.steps >= physics.max_steps || arrival.length > physics.max_length)
-      return end(Fate::lost);
-    return false;
-  }
-
-  /// What happens where the path meets something, at the place where it is; whether it ends there.
-  bool encounter(const Encounter& met) {
-    Arrival& arrival = ray_state_.arrival;
-    if (met.kind == Encounter::Kind::surface || met.kind == Encounter::Kind::portal_back) {
-      arrival.met = met.kind == Encounter::Kind::surface ? Met::surface : Met::portal_back;
-      arrival.object = met.object;
-      arrival.face = met.face;
-      return end(Fate::hit);
-    }
-    if (arrival.crossings >= space_.max_crossings) return end(Fate::lost);
-    ++arrival.crossings;
-    const Portal& portal = space_.portals.portals()[met.object];
-    arrival.tint = arrival.tint * portal.tint;
-    const Passed passed =
-        pass(portal.passage, ray_state_.state.position, ray_state_.state.direction);
-    ray_state_.state = {passed.position, passed.direction};
-    arrival.turning += passed.turning;
-    ray_state_.start = {
-        space_.leaving_portal(portal.pair, ray_state_.state.position, ray_state_.state.direction)};
-    free_length_ = 0.0;
-    longest_ = unbounded;
-    restless_ = true;
-    if (path_trace_) {
-      path_trace_->crossings.push_back(met.object);
-      path_trace_->stretches.push_back({ray_state_.state.position});
-    }
-    return false;
-  }
-
-  bool absorb(std::uint32_t mass) {
-    ray_state_.arrival.met = Met::mass;
-    ray_state_.arrival.object = mass;
-    return end(Fate::absorbed);
-  }
-
  private:
   void follow(const Photon& photon, PathTrace* path_trace) {
     path_trace_ = path_trace;
@@ -158,26 +103,11 @@ class Tracer {
     if (path_trace_) path_trace_->stretches.back().push_back(ray_state_.state.position);
   }
 
-  [[nodiscard]] bool has_drifted() const {
-    const double trusted = trusted_drift * space_.physics.tolerance;
-    return ray_state_.drift.direction > (ray_state_.arrival.fate == Fate::absorbed
-                                             ? std::fmax(trusted, absorbed_drift)
-                                             : trusted);
-  }
-
-  /// A point slightly ahead: what acts there decides what acts over the step.
-  [[nodiscard]] Vec3d ahead() const {
-    return ray_state_.state.position + ray_state_.state.direction * (1e-9 * space_.extent);
-  }
-
   /// Straight flight, outside all influence.
   bool fly() {
     longest_ = unbounded;
     const Ray ray{ray_state_.state.position, ray_state_.state.direction};
-    const double resolution = 1e-7 * space_.extent;
-    const double near =
-        field_.free_flight(ray, resolution, 1e3 * space_.extent + length(ray.origin));
-    const double reach = std::isfinite(near) ? onset(ray, near, near + 2.0 * resolution) : near;
+    const double reach = reach_of_flight(space_, field_, vicinity_, ray);
     std::optional<Encounter> met = obstacles_.first(ray, reach, ray_state_.start);
     double distance = met ? met->distance : reach;
     std::optional<std::uint32_t> swallowed;
@@ -193,22 +123,6 @@ class Tracer {
     if (swallowed) return absorb(*swallowed);
     if (met) return encounter(*met);
     return false;
-  }
-
-  /// Where between two places of a straight flight something begins to act, or the latter: at the
-  /// edge of a coupling that is not yet felt at least that far.
-  [[nodiscard]] double onset(const Ray& ray, double low, double high) {
-    const auto acts = [&](double s) {
-      vicinity_.cover(ray.at(s), 0.0);
-      return field_.acts(ray.at(s), vicinity_.near());
-    };
-    if (!acts(high)) return high;
-    while (high - low > 1e-11 * space_.extent) {
-      const double middle = 0.5 * (low + high);
-      if (middle <= low || middle >= high) break;
-      (acts(middle) ? high : low) = middle;
-    }
-    return high;
   }
 
   /// One step of the integrator, cut where something happens.
@@ -368,31 +282,8 @@ class Tracer {
     return end(Fate::escaped);
   }
 
-  /// Goes on to the end of a step or a flight.
-  void move_on(State to, double distance, double turned) {
-    ray_state_.state = to;
-    free_length_ = std::fmax(0.0, free_length_ - distance);
-    ray_state_.arrival.length += distance;
-    ray_state_.arrival.turning += turned + extra_turning_;
-    extra_turning_ = 0.0;
-    ray_state_.start = ray_state_.start.after(distance);
-    restless_ = true;
-    if (path_trace_) path_trace_->stretches.back().push_back(ray_state_.state.position);
-  }
-
-  void arrive_at(const Curve& curve, double s) {
-    move_on({curve.position(s), curve.direction(s)}, s, curve.turning(s));
-  }
-
-  bool end(Fate fate) {
-    ray_state_.arrival.fate = fate;
-    return true;
-  }
-
-  static constexpr double unbounded = std::numeric_limits<double>::infinity();
   static constexpr double finest = 1e-9;  ///< of tolerances: doubles keep hardly any finer one
 
-  const Space& space_;
   double tolerance_;  ///< that of the scene, or a finer one
   I integrator_;
   Field<C, W> field_;
@@ -402,16 +293,10 @@ class Tracer {
   Obstacles obstacles_;
   Vec3d gates_;  ///< the middle of all portals
 
-  RayState ray_state_;
   State end_;
   Bending bending_, end_bending_;
-  StepDoubt<double> doubt_;     ///< of the step that was tried last
-  double longest_ = unbounded;  ///< of the next step: what the error of the last allows
-  double free_length_ = 0.0;    ///< nothing lies within this much path from here
-  double extra_turning_ = 0.0;  ///< of a step with straight pieces: it turns at its start
-  bool restless_ = true;        ///< the surroundings have to be looked at again
-  bool changed_ = false;        ///< the step ends where they change
-  PathTrace* path_trace_ = nullptr;
+  StepDoubt<double> doubt_;  ///< of the step that was tried last
+  bool changed_ = false;     ///< the step ends where the surroundings change
 };
 
 }  // namespace portalens

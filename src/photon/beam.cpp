@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstring>
 #include <limits>
 #include <variant>
 
@@ -12,8 +11,6 @@
 namespace portalens {
 namespace {
 
-/// The beam is taken wider than the four path records are from its middle.
-constexpr float widening = 1.1f;
 /// How often a section of a beam is halved that comes near an obstacle.
 constexpr int max_halvings = 5;
 /// How far off a border may still be felt, in radii of the beam: as far as the probe rays lie that
@@ -22,18 +19,6 @@ constexpr double border_reach = 3.0;
 /// Where light turns by fewer tolerances more than light that stays out, a border is smooth enough:
 /// a polynomial through its neighbours errs by a twentieth of that.
 constexpr double least_felt = 20.0;
-
-Reached reached(const Waypoint& point) {
-  static_assert(offsetof(Waypoint, place) == 0 && offsetof(Waypoint, length) == 12);
-  Reached found;
-  std::memcpy(&found, &point, sizeof found);
-  return found;
-}
-Vec3d place_of(Reached at) { return {at[0], at[1], at[2]}; }
-float square_of_place(Reached a) {
-  const Reached squares = a * a;
-  return squares[0] + squares[1] + squares[2];
-}
 
 /// Whether the whole segment lies on one side of the quad's plane, further away than that.
 bool beside_plane(const Quad& quad, Vec3d a, Vec3d b, double distance) {
@@ -44,41 +29,6 @@ bool beside_plane(const Quad& quad, Vec3d a, Vec3d b, double distance) {
 }
 
 }  // namespace
-
-/// Goes along a path beside another.
-class BeamGuard::Follower {
- public:
-  explicit Follower(const PathRecord& record) : points_(record.points()) {}
-
-  /// To where a stretch begins.
-  void enter(std::int32_t stretch) {
-    while (points_[at_].stretch < stretch) ++at_;
-  }
-  /// The place at that length within the stretch, or its nearer end.
-  [[nodiscard]] Reached place(float length) {
-    Reached a = reached(points_[at_]);
-    if (length <= a[3]) return a;
-    for (; more(); ++at_) {
-      const Reached b = reached(points_[at_ + 1]);
-      if (!(b[3] < length)) return a + (b - a) * ((length - a[3]) / (b[3] - a[3]));
-      a = b;
-    }
-    return a;
-  }
-  [[nodiscard]] Reached here() const { return reached(points_[at_]); }
-  [[nodiscard]] Reached last() {
-    while (more()) ++at_;
-    return reached(points_[at_]);
-  }
-
- private:
-  [[nodiscard]] bool more() const {
-    return at_ + 1 < points_.size() && points_[at_ + 1].stretch == points_[at_].stretch;
-  }
-
-  std::span<const Waypoint> points_;
-  std::size_t at_ = 0;
-};
 
 bool BeamGuard::can_guard(const Space& space) {
   return space.surfaces.shapes().size() + space.portals.portals().size() + space.masses.size() <=
@@ -134,100 +84,13 @@ void BeamGuard::add(const Shape* shape, Vec3d center, double radius, Met kind,
   obstacles_.push_back({shape, center, radius, near_center, near_radius, kind, index, place});
 }
 
-/// The light between four path records, section by section.
-class BeamGuard::Beam {
- public:
-  /// @pre as `clear` has it
-  explicit Beam(const std::array<const PathRecord*, 4>& records);
-
-  [[nodiscard]] std::span<const Section> sections() const {
-    return std::span(pieces_).first(count_);
-  }
-
- private:
-  void add(Reached from, Reached to, float turning, float from_radius, float to_radius,
-           const Waypoint& point, bool last);
-  void mark_ends();
-
-  std::size_t count_ = 0;
-  std::array<Section, PathRecord::max_points> pieces_;
-};
-
-BeamGuard::Beam::Beam(const std::array<const PathRecord*, 4>& records) {
-  std::array<Follower, 3> others{Follower(*records[1]), Follower(*records[2]),
-                                 Follower(*records[3])};
-  const auto points = records[0]->points();
-  Reached from{};
-  float before = 0.0f;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Waypoint& point = points[i];
-    const bool first = i == 0 || points[i - 1].stretch != point.stretch;
-    const bool last = i + 1 == points.size() || points[i + 1].stretch != point.stretch;
-    const Reached here = reached(point);
-    std::array<Reached, 3> places, begun{};
-    Reached sum = here;
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (first) {
-        others[k].enter(point.stretch);
-        begun[k] = others[k].here();
-      }
-      places[k] = others[k].place(point.length);
-      sum += places[k];
-    }
-    Reached to = sum * 0.25f;
-    to[3] = point.length;
-    float square = square_of_place(here - to);
-    for (std::size_t k = 0; k < 3; ++k) {
-      square = std::max(square, square_of_place(places[k] - to));
-      if (first) square = std::max(square, square_of_place(begun[k] - to));
-      if (last) square = std::max(square, square_of_place(others[k].last() - to));
-    }
-    const float apart = widening * std::sqrt(square);
-    if (!first) add(from, to, point.turning - points[i - 1].turning, before, apart, point, last);
-    from = to;
-    before = apart;
-  }
-  mark_ends();
-}
-
-void BeamGuard::Beam::add(Reached from, Reached to, float turning, float from_radius,
-                          float to_radius, const Waypoint& point, bool last) {
-  Section& section = pieces_[count_++];
-  const float length = to[3] - from[3];
-  const float rounding = 2e-6f * (std::fabs(to[0]) + std::fabs(to[1]) + std::fabs(to[2]));
-  // Twice as far as a path can be from the straight one between two of its points.
-  const float aside = 0.5f * length * turning + rounding;
-  section.from = from;
-  section.to = to;
-  section.from_radius = from_radius + aside;
-  section.to_radius = to_radius + aside;
-  // The path is no shorter than the straight one.
-  section.reach = 0.5f * length + rounding + section.radius();
-  section.stretch = point.stretch;
-  section.last = last;
-}
-
-/// What a stretch begins or ends at, its beam touches there: on as much of the path as the places
-/// lie apart where the four paths come from it, or meet it.
-void BeamGuard::Beam::mark_ends() {
-  for (std::size_t i = 0; i < count_;) {
-    std::size_t end = i;
-    while (!pieces_[end].last) ++end;
-    const float leaving = 2.0f * pieces_[i].from_radius, arriving = 2.0f * pieces_[end].to_radius;
-    const float first = pieces_[i].from[3], final = pieces_[end].to[3];
-    for (; i <= end; ++i) {
-      pieces_[i].leaves = pieces_[i].from[3] - first <= leaving;
-      pieces_[i].arrives = final - pieces_[i].to[3] <= arriving;
-    }
-  }
-}
-
 /// On a plane the paths arrive from as far as they come slanting to it, if they have sunk for as
 /// long: who skims over it first may meet it there.
-bool BeamGuard::sinks(const Obstacle& obstacle, const Section& section, const Section& final) {
+bool BeamGuard::sinks(const Obstacle& obstacle, const BeamSection& section,
+                      const BeamSection& final) {
   const auto* quad = obstacle.shape ? std::get_if<Quad>(obstacle.shape) : nullptr;
   if (!quad) return false;
-  const auto slope = [&](const Section& part) {
+  const auto slope = [&](const BeamSection& part) {
     const Vec3d along = place_of(part.to - part.from);
     return dot(along, quad->normal()) / length(along);
   };
@@ -236,7 +99,7 @@ bool BeamGuard::sinks(const Obstacle& obstacle, const Section& section, const Se
          slope(section) * arriving >= 0.5 * arriving * arriving;
 }
 
-bool BeamGuard::met(const Obstacle& obstacle, const Section& section, const Section& final,
+bool BeamGuard::met(const Obstacle& obstacle, const BeamSection& section, const BeamSection& final,
                     const PathRecord& record, const Arrival& end) const {
   const bool last = section.stretch == record.crossings();
   if (obstacle.kind != Met::portal_back)
@@ -248,8 +111,8 @@ bool BeamGuard::met(const Obstacle& obstacle, const Section& section, const Sect
           portals[record.portal_after(section.stretch - 1)].pair == obstacle.index);
 }
 
-bool BeamGuard::hidden(const Obstacle& obstacle, const Section& section, const PathRecord& record,
-                       const Arrival& end) const {
+bool BeamGuard::hidden(const Obstacle& obstacle, const BeamSection& section,
+                       const PathRecord& record, const Arrival& end) const {
   if (!obstacle.place) return false;
   const FlushFaces& flush = space_->surfaces.flush();
   const auto shape_count = static_cast<std::uint32_t>(space_->surfaces.shapes().size());
@@ -274,14 +137,14 @@ bool BeamGuard::hidden(const Obstacle& obstacle, const Section& section, const P
 }
 
 /// Whether the obstacle can't be touched, as their balls tell.
-bool BeamGuard::apart(const Section& section, const Obstacle& obstacle) {
+bool BeamGuard::apart(const BeamSection& section, const Obstacle& obstacle) {
   const Reached between = (section.from + section.to) * 0.5f - obstacle.near_center;
   const float reach = section.reach + obstacle.near_radius;
   return square_of_place(between) > reach * reach;
 }
 
 /// Halves the section where it comes near.
-bool BeamGuard::touches(const Section& section, const Obstacle& obstacle) {
+bool BeamGuard::touches(const BeamSection& section, const Obstacle& obstacle) {
   const auto* quad = obstacle.shape ? std::get_if<Quad>(obstacle.shape) : nullptr;
   const auto near = [&](const auto& self, Vec3d from, Vec3d to, double from_radius,
                         double to_radius, int halvings) -> bool {
@@ -304,13 +167,13 @@ bool BeamGuard::touches(const Section& section, const Obstacle& obstacle) {
               section.to_radius, max_halvings);
 }
 
-bool BeamGuard::along_border(std::span<const Section> beam, bool escapes) const {
+bool BeamGuard::along_border(std::span<const BeamSection> beam, bool escapes) const {
   for (std::size_t begin = 0; begin < beam.size();) {
     std::size_t end = begin;
     while (!beam[end++].last) continue;
     const auto stretch = beam.subspan(begin, end - begin);
     float widest = 0.0f;
-    for (const Section& section : stretch) widest = std::max(widest, section.radius());
+    for (const BeamSection& section : stretch) widest = std::max(widest, section.radius());
     const bool runs_off = escapes && end == beam.size();
     for (const Mass& mass : space_->masses)
       if (is_felt(mass, widest) && along_sphere(stretch, mass, widest, runs_off)) return true;
@@ -333,7 +196,7 @@ bool BeamGuard::is_felt(const Mass& mass, double widest) const {
 
 /// Whether the border of an influence might be entered by some of the light, and not by all; or
 /// the light begins or ends beside it, so that some has been within for a while.
-bool BeamGuard::along_sphere(std::span<const Section> stretch, const Mass& mass, double widest,
+bool BeamGuard::along_sphere(std::span<const BeamSection> stretch, const Mass& mass, double widest,
                              bool runs_off) {
   const double radius = mass.influence;
   const auto distance_to = [&](Reached place) { return length(place_of(place) - mass.center); };
@@ -346,7 +209,7 @@ bool BeamGuard::along_sphere(std::span<const Section> stretch, const Mass& mass,
   // Mostly it begins far within.
   if (begins < radius - border_reach * widest) return false;
   double least = std::numeric_limits<double>::infinity(), wide = 0.0;
-  for (const Section& section : stretch) {
+  for (const BeamSection& section : stretch) {
     const double reach = least + section.reach;
     const Vec3d middle = place_of((section.from + section.to) * 0.5f) - mass.center;
     if (dot(middle, middle) >= reach * reach) continue;
@@ -360,10 +223,10 @@ bool BeamGuard::along_sphere(std::span<const Section> stretch, const Mass& mass,
 
 bool BeamGuard::clear(const std::array<const PathRecord*, 4>& records, const Arrival& end) const {
   const Beam beam(records);
-  const std::span<const Section> sections = beam.sections();
+  const std::span<const BeamSection> sections = beam.sections();
   if (along_border(sections, end.fate == Fate::escaped)) return false;
   for (const Obstacle& obstacle : obstacles_)
-    for (const Section& section : sections)
+    for (const BeamSection& section : sections)
       if (!apart(section, obstacle) && !met(obstacle, section, sections.back(), *records[0], end) &&
           !hidden(obstacle, section, *records[0], end) && touches(section, obstacle))
         return false;

@@ -2,7 +2,6 @@
 /// Whether the light between neighbouring photons does what they do.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -12,14 +11,12 @@
 #include <vector>
 
 #include "geometry/shape.h"
+#include "photon/beam_sections.h"
 #include "photon/path_record.h"
 #include "photon/photon.h"
 #include "photon/space.h"
 
 namespace portalens {
-
-/// A place, and how long the path to it is.
-using Reached = float __attribute__((vector_size(16)));
 
 /// Looks for whatever could change the path of the light between four photons: surfaces, portals
 /// and horizons that the four did not meet where they are, however small, and borders of the
@@ -55,41 +52,27 @@ class BeamGuard {
     /// Of a quad or a portal in whose plane something else lies, else null.
     const FlushFaces::Place* place;
   };
-  /// A section of the beam: everything within `from_radius` at its start, growing evenly to
-  /// `to_radius` at its end. Without values: many of them lie side by side.
-  struct Section {
-    Reached from, to;
-    float from_radius, to_radius;
-    float reach;  ///< from its middle: radius of the ball that holds it
-    std::int32_t stretch;
-    bool last;     ///< of its stretch
-    bool leaves;   ///< lies where the stretch begins, or nearly
-    bool arrives;  ///< and where it ends
-
-    [[nodiscard]] float radius() const { return std::max(from_radius, to_radius); }
-  };
-  class Beam;
-  class Follower;
 
   explicit BeamGuard(const Space& space);
 
   void add(const Shape* shape, const Box& box, Met kind, std::uint32_t index);
   void add(const Shape* shape, Vec3d center, double radius, Met kind, std::uint32_t index);
-  [[nodiscard]] static bool sinks(const Obstacle& obstacle, const Section& section,
-                                  const Section& final);
+  [[nodiscard]] static bool sinks(const Obstacle& obstacle, const BeamSection& section,
+                                  const BeamSection& final);
   /// @param final  the last section of the beam
-  [[nodiscard]] bool met(const Obstacle& obstacle, const Section& section, const Section& final,
-                         const PathRecord& record, const Arrival& end) const;
+  [[nodiscard]] bool met(const Obstacle& obstacle, const BeamSection& section,
+                         const BeamSection& final, const PathRecord& record,
+                         const Arrival& end) const;
   /// Whether it is flat and lies under what the path has met there, in one plane with it, or in the
   /// plane that the path has just left.
-  [[nodiscard]] bool hidden(const Obstacle& obstacle, const Section& section,
+  [[nodiscard]] bool hidden(const Obstacle& obstacle, const BeamSection& section,
                             const PathRecord& record, const Arrival& end) const;
-  [[nodiscard]] static bool apart(const Section& section, const Obstacle& obstacle);
-  [[nodiscard]] static bool touches(const Section& section, const Obstacle& obstacle);
+  [[nodiscard]] static bool apart(const BeamSection& section, const Obstacle& obstacle);
+  [[nodiscard]] static bool touches(const BeamSection& section, const Obstacle& obstacle);
   /// @param escapes  whether it runs off to the sky in the end
-  [[nodiscard]] bool along_border(std::span<const Section> beam, bool escapes) const;
+  [[nodiscard]] bool along_border(std::span<const BeamSection> beam, bool escapes) const;
   [[nodiscard]] bool is_felt(const Mass& mass, double widest) const;
-  [[nodiscard]] static bool along_sphere(std::span<const Section> stretch, const Mass& mass,
+  [[nodiscard]] static bool along_sphere(std::span<const BeamSection> stretch, const Mass& mass,
                                          double widest, bool runs_off);
 
   const Space* space_;

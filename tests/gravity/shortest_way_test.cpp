@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "gravity/clear_passage.h"
 #include "gravity/plain_closest_point.h"
 #include "gravity/portal_scenes.h"
 #include "support/scale.h"

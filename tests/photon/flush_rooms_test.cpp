@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "support/flat_rooms.h"
+#include "support/plain_tracer.h"
 #include "support/scale.h"
 
 namespace portalens::test {

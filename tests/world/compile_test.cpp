@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "support/flush_scenes.h"
 #include "support/scene_text.h"
 
 namespace portalens {
@@ -291,129 +290,6 @@ vertices = [[10,0,-1], [10,0,1], [10,3,1], [10,3,-1]]
   EXPECT_LT(length(portals[0].motion()->move({-1, 0, 2}) - Vec3d{10, 0, 1}), 1e-12);
   const Vec3d there = portals[0].motion()->move({4, 5, 6});
   EXPECT_LT(length(portals[1].motion()->move(there) - Vec3d{4, 5, 6}), 1e-12);
-}
-
-TEST(Compile, TheWarningsTellWhatIsProbablyNotMeant) {
-  const World world = compiled(R"(
-[camera]
-position = [0, 0, 1]
-look_at = [0, 0, 0]
-[shading]
-ambient = [0, 0, 0]
-[environment]
-color = [0, 0, 0]
-[[material]]
-name = "too bright"
-diffuse = [0.8, 0.8, 0.8]
-reflective = [0.5, 0, 0]
-[[sphere]]
-name = "sun"
-center = [0, 0, 0]
-radius = 0.5
-mass = 2025
-[[mass]]
-name = "near"
-center = [1, 0, 0]
-mass = 1
-[[mass]]
-name = "bare"
-center = [100, 0, 0]
-mass = 1
-horizon = false
-[[portal]]
-name = "a"
-pair = "b"
-vertices = [[30,0,0], [32,0,0], [32,2,0], [30,2,0]]
-[[portal]]
-name = "b"
-pair = "a"
-vertices = [[31,1,0], [33,1,0], [33,3,0], [31,3,0]]
-)");
-  std::string all;
-  for (const std::string& warning : world.warnings) all += warning + "\n";
-  const auto expected = {"within the horizon of 'sun'",
-                         "'too bright' gives back more light",
-                         "reaches 1.3",
-                         "the horizons of 'sun' and 'near' overlap",
-                         "'bare' has neither a horizon nor a core",
-                         "the surface of 'sun' lies within its own horizon",
-                         "portals 'a' and 'b' lie in one plane",
-                         "nothing gives light"};
-  for (const char* words : expected)
-    EXPECT_NE(all.find(words), std::string::npos) << words << "\n" << all;
-  EXPECT_EQ(world.warnings.size(), 7u) << all;
-  ASSERT_EQ(world.remarks.size(), 1u);
-  EXPECT_NE(world.remarks[0].find("within the influence of 'near'"), std::string::npos);
-}
-
-/// A pair of portals at x = 0 and x = 5, and what else is said.
-std::string pair_and(const std::string& more, const std::string& of_portals = "") {
-  return "[[portal]]\nname = \"a\"\npair = \"b\"\n" + of_portals +
-         "vertices = [[0,0,0], [2,0,0], [2,2,0], [0,2,0]]\n"
-         "[[portal]]\nname = \"b\"\npair = \"a\"\n"
-         "vertices = [[5,0,0], [7,0,0], [7,2,0], [5,2,0]]\n" +
-         more;
-}
-
-TEST(Compile, APullWithoutABoundIsAWarningThatNamesMassPortalAndRemedy) {
-  const std::string heavy = "mass = 50\n";
-  const World own = compiled(pair_and("", heavy));
-  ASSERT_EQ(own.warnings.size(), 1u);
-  for (const char* words : {"through portal 'b' light feels mass 'a' from its own place",
-                            "no bound", "G M / c² = 0.0247", "core_radius", "portal 'a'"})
-    EXPECT_NE(own.warnings[0].find(words), std::string::npos) << words << "\n" << own.warnings[0];
-  for (const char* center : {"[6, 0, 0]", "[5, 2, 0]", "[6.3, 0.7, 0]", "[6, 1, 0.02]"})
-    EXPECT_EQ(compiled(pair_and("[[mass]]\ncenter = " + std::string(center) + "\n" + heavy))
-                  .warnings.size(),
-              1u)
-        << center;
-  EXPECT_TRUE(compiled(pair_and("", heavy + "core_radius = 0.1\n")).warnings.empty());
-  EXPECT_TRUE(compiled(pair_and("[[mass]]\ncenter = [6, 1, 0.1]\n" + heavy)).warnings.empty());
-  for (const char* without : {"portal_gravity = \"none\"\n", "portal_gravity = \"portal-mass\"\n",
-                              "portal_gravity_depth = 0\n"})
-    EXPECT_TRUE(compiled(pair_and("[physics]\n" + std::string(without), heavy)).warnings.empty());
-}
-
-std::string warnings_of(const std::string& scene) {
-  std::string all;
-  for (const std::string& warning : compiled(scene).warnings) all += warning + "\n";
-  return all;
-}
-
-TEST(Compile, WarnsOfWhatLiesInOnePlaneAndTellsWhatIsSeen) {
-  using namespace test;
-  EXPECT_EQ(warnings_of(door_on_a_wall),
-            "'a' lies in the plane of 'quad0': where it is met, 'quad0' is not\n"
-            "'b' lies in the plane of 'quad1': where it is met, 'quad1' is not\n");
-  EXPECT_EQ(warnings_of(mirror_on_a_wall),
-            "'mirror0' lies in the plane of 'quad1': where both are, 'mirror0' is seen\n");
-  EXPECT_EQ(
-      warnings_of(picture_on_a_wall),
-      "'the picture' lies in the plane of 'the wall': where both are, 'the picture' is seen\n");
-  EXPECT_EQ(warnings_of(pairs_back_to_back), "");
-  EXPECT_EQ(warnings_of(pair_in_one_place), "");
-}
-
-std::string masses_along(int count, double apart) {
-  std::string text = "[environment]\ncolor = [1, 1, 1]\n";
-  for (int i = 0; i < count; ++i)
-    text += "[[mass]]\ncenter = [" + std::to_string(i * apart) + ", 0, 0]\nmass = 1\n";
-  return text;
-}
-
-TEST(Compile, OverlapsAreToldByNameOnlyWhileTheyAreFew) {
-  const World world = compiled(masses_along(300, 0.0));
-  ASSERT_EQ(world.warnings.size(), 101u);
-  EXPECT_EQ(world.warnings.front(), "the horizons of 'mass0' and 'mass1' overlap");
-  EXPECT_EQ(world.warnings.back(), "44750 more pairs of horizons overlap");  // of 300 * 299 / 2
-}
-
-TEST(Compile, OverlapsAreLookedForOnlyAmongTheFirstOfVeryMany) {
-  EXPECT_TRUE(compiled(masses_along(5000, 1.0)).warnings.empty());
-  const World world = compiled(masses_along(5001, 1.0));
-  ASSERT_EQ(world.warnings.size(), 1u);
-  EXPECT_EQ(world.warnings[0],
-            "of 5001 horizons the first 5000 were compared: others may overlap, too");
 }
 
 }  // namespace
