@@ -1,6 +1,8 @@
 # The everyday commands; CMake does the work, and CMakePresets.json has the other builds.
 BUILD ?= build
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
+# For the first time that a folder is configured, for instance -DPORTALENS_BENCHMARKS=OFF.
+CMAKE_OPTIONS ?=
 DEMO_SCENE ?= scenes/demo.toml
 DEMO_PICTURE ?= $(BUILD)/demo.png
 sources = $(shell find src include tests benchmarks fuzz examples -name '*.h' -o -name '*.cpp')
@@ -13,7 +15,7 @@ all: $(BUILD)/build.ninja
 # Configured once; CMake itself sees later whether it must do so again.
 $(BUILD)/build.ninja:
 	@scripts/install-deps
-	@cmake -S . -B $(BUILD) -G Ninja -DCMAKE_BUILD_TYPE=Release
+	@cmake -S . -B $(BUILD) -G Ninja -DCMAKE_BUILD_TYPE=Release $(CMAKE_OPTIONS)
 
 demo: $(BUILD)/build.ninja
 	@cmake --build $(BUILD) --parallel $(JOBS) --target portalens

@@ -1,5 +1,5 @@
 # Builds for WebAssembly (emcmake cmake --preset wasm): the core alone, in one thread, upon the headers of
-# fmt, toml++ and xsimd. They lie among those of this machine, of which no other may be seen.
+# fmt, toml++, xsimd and xxHash. They lie among those of this machine, of which no other may be seen.
 set(portalens_linked)
 set(header_folder ${CMAKE_BINARY_DIR}/headers)
 file(MAKE_DIRECTORY ${header_folder})
@@ -8,6 +8,8 @@ foreach(header fmt/format.h toml++/toml.h xsimd/xsimd.hpp)
   get_filename_component(library ${header} DIRECTORY)
   file(CREATE_LINK ${folder_of_${header}}/${library} ${header_folder}/${library} SYMBOLIC)
 endforeach()
+find_file(xxhash_header xxhash.h NO_CMAKE_FIND_ROOT_PATH PATHS /usr/include REQUIRED)
+file(CREATE_LINK ${xxhash_header} ${header_folder}/xxhash.h SYMBOLIC)
 add_library(portalens_dependencies INTERFACE)
 target_include_directories(portalens_dependencies SYSTEM INTERFACE ${header_folder})
 target_compile_definitions(portalens_dependencies INTERFACE

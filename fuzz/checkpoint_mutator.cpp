@@ -63,7 +63,7 @@ std::string changed_partial(std::string_view piece, Change change, std::size_t m
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
                                                std::size_t most, unsigned int seed) {
   if (seed % 16 == 0) return LLVMFuzzerMutate(data, size, most);  // damage must be noticed, too
-  const auto pieces = fuzz::pieces_in(fuzz::as_text(data, size));
+  const auto pieces = fuzz::partials_in(fuzz::as_text(data, size));
   const std::size_t chosen = seed / 16 % pieces.size();
   const Change change = seed / 1024 % 4 == 0 ? Change::body : Change::head;
   std::string whole;

@@ -1,13 +1,15 @@
 #!/usr/bin/env python3
 """Runs the fuzz targets one after the other, and tells how far each saw.
 
-    fuzz/fuzz.py [--seconds N] [--runs N] [--hang S] [--keep] [TARGET...]
+    fuzz/fuzz.py [--seconds N] [--runs N] [--hang S] [--keep | --minimise] [TARGET...]
 
 TARGET is toml, obj, mesh, image, scene, checkpoint: by default all. A target ends after so many
 seconds or executions, whichever comes first; a crash, a leak, more than 1 GiB or an input that takes
 longer than --hang seconds ends it at once, and leaves the input in build/fuzz/findings. What it
 discovers is gathered in build/fuzz/corpus; --keep distills that into fuzz/corpus, for `make test` to
-replay. Exits 1 if anything was found, or if a target saw much less than its seeds alone show: then it is blind.
+replay: few and short inputs that reach every edge which all of them reach, and the seeds do not.
+--minimise distills without fuzzing, from what fuzz/corpus and build/fuzz/corpus hold. Exits 1 if anything was
+found, if a target saw much less than its seeds alone show (then it is blind), or if edges were lost.
 """
 
 import argparse
@@ -23,6 +25,8 @@ BUILD = HERE.parent / "build" / "fuzz"
 LEAST_EDGES = {"toml": 1500, "obj": 1000, "mesh": 1000, "image": 500, "scene": 6000, "checkpoint": 3000}
 LONGEST_INPUT = {"toml": 4096, "obj": 4096, "mesh": 4096, "scene": 4096, "image": 2048}
 KEPT_BYTES = 2048  # a longer input is not kept in the repository
+LENT = {"scene": "toml"}  # whose seeds and corpus a target is given, too; as in CMakeLists.txt
+MOST_LOST = 0.01  # of the edges: some of them come and go with the order of inputs
 MEMORY = pathlib.Path("/dev/shm")
 
 
@@ -30,12 +34,22 @@ def known_targets():
     return sorted(path.name[len("fuzz_"):] for path in (BUILD / "fuzz").glob("fuzz_*") if path.is_file())
 
 
-def folders(target):
-    """Where a target's inputs lie; the first is the one that grows."""
+def grown(target):
+    """Where what a target discovers is gathered."""
     work = BUILD / "corpus" / target
     work.mkdir(parents=True, exist_ok=True)
-    kept = [HERE / "seeds" / target, HERE / "corpus" / target]
-    return [work] + [folder for folder in kept if folder.is_dir()]
+    return work
+
+
+def given(target):
+    """What a target begins with, whatever it keeps of its own: its seeds, and what is lent to it."""
+    lender = LENT.get(target)
+    lent = [HERE / "seeds" / lender, HERE / "corpus" / lender] if lender else []
+    return [HERE / "seeds" / target] + lent
+
+
+def files_in(*folders):
+    return [file for folder in folders if folder.is_dir() for file in folder.iterdir()]
 
 
 def command(target, *options):
@@ -58,10 +72,12 @@ def run(target, arguments, place):
     if words.is_file():
         options.append(f"-dict={words}")
     log = BUILD / f"{target}.log"
+    kept = HERE / "corpus" / target
+    inputs = [str(folder) for folder in (grown(target), *given(target), kept) if folder.is_dir()]
     with open(log, "wb") as stream:
         status = subprocess.run(
-            command(target, *options, *map(str, folders(target))), stdout=stream, stderr=stream,
-            env=environment(place), check=False).returncode
+            command(target, *options, *inputs), stdout=stream, stderr=stream, env=environment(place),
+            check=False).returncode
     text = log.read_text(errors="replace")
     edges = [int(number) for number in re.findall(r"\bcov: (\d+)", text)]
     executions = re.findall(r"stat::number_of_executed_units: (\d+)", text)
@@ -77,22 +93,66 @@ def environment(place):
             "ASAN_OPTIONS": "detect_leaks=1:allocator_may_return_null=0"}
 
 
+def quietly(target, place, *words):
+    """Has a target do what takes no fuzzing, by edges alone; what it said."""
+    return subprocess.run(
+        command(target, "-use_counters=0", "-use_value_profile=0", *map(str, words)), env=environment(place),
+        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=True).stdout.decode(errors="replace")
+
+
+def edges_of(target, place, *inputs):
+    """How many edges all inputs in these folders reach together."""
+    said = quietly(target, place, "-runs=0", *inputs)
+    return int(re.findall(r"\bcov: (\d+)", said)[-1])
+
+
 def keep(target, place):
-    """The fewest short inputs that reach all that was reached, into fuzz/corpus."""
+    """Distills all short inputs into fuzz/corpus. Their number and bytes, and the edges before and after."""
+    place = pathlib.Path(place)
+    begun, short, chosen = place / "begun", place / "short", place / "chosen"
+    for folder in (begun, short, chosen):
+        folder.mkdir()
+    for number, file in enumerate(files_in(*given(target))):
+        shutil.copy(file, begun / f"{number}-{file.name}")
     kept = HERE / "corpus" / target
-    fresh = pathlib.Path(place) / "kept"
-    fresh.mkdir()
-    short = pathlib.Path(place) / "short"
-    short.mkdir()
-    for folder in folders(target):
-        for file in folder.iterdir():
-            if file.stat().st_size <= KEPT_BYTES:
-                shutil.copy(file, short / file.name)
-    subprocess.run(command(target, "-set_cover_merge=1", str(fresh), str(short)), env=environment(place),
-                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=True)
-    shutil.rmtree(kept, ignore_errors=True)
-    shutil.copytree(fresh, kept)
-    return sum(file.stat().st_size for file in kept.iterdir()), len(list(kept.iterdir()))
+    for file in files_in(kept, grown(target)):
+        if file.stat().st_size <= KEPT_BYTES:
+            shutil.copy(file, short / file.name)
+    shutil.copytree(begun, chosen, dirs_exist_ok=True)
+    quietly(target, place, "-set_cover_merge=1", chosen, short)
+    for file in begun.iterdir():
+        (chosen / file.name).unlink()
+    before, after = edges_of(target, place, begun, short), edges_of(target, place, begun, chosen)
+    if not lost(before, after):
+        shutil.rmtree(kept, ignore_errors=True)
+        shutil.copytree(chosen, kept)
+    files = list(chosen.iterdir())
+    return len(files), sum(file.stat().st_size for file in files), before, after
+
+
+def lost(before, after):
+    return after < (1 - MOST_LOST) * before
+
+
+def tell_kept(target, place):
+    """Keeps what is worth it, and says what that is; whether no edge was lost."""
+    count, size, before, after = keep(target, place)
+    verdict = "  LOST TOO MANY, and left fuzz/corpus as it was" if lost(before, after) else ""
+    print(f"{target:<12}{count:>6} inputs, {size} bytes: {after} edges, {before} before{verdict}", flush=True)
+    return not verdict
+
+
+def fuzz(target, arguments, place):
+    """Fuzzes, and says how far that saw; whether nothing is wrong."""
+    result = run(target, arguments, place)
+    verdict = ""
+    if result["status"] != 0:
+        verdict = f"  FOUND SOMETHING, see {result['log']}"
+    elif result["edges"] < LEAST_EDGES.get(target, 500):
+        verdict = f"  BLIND: fewer than {LEAST_EDGES.get(target, 500)} edges"
+    seconds = "-" if result["seconds"] is None else result["seconds"]
+    print(f"{target:<12}{result['executions']:>12}{seconds:>9}{result['edges']:>8}{verdict}", flush=True)
+    return not verdict
 
 
 def main():
@@ -101,6 +161,7 @@ def main():
     parser.add_argument("--runs", type=int, default=0)
     parser.add_argument("--hang", type=int, default=2)
     parser.add_argument("--keep", action="store_true")
+    parser.add_argument("--minimise", action="store_true")
     parser.add_argument("targets", nargs="*")
     arguments = parser.parse_args()
     known = known_targets()
@@ -108,24 +169,16 @@ def main():
     if wrong or not known:
         print(f"fuzz: no target {' '.join(wrong)}; built are: {' '.join(known)}", file=sys.stderr)
         return 2
-    failed = False
-    print(f"{'target':<12}{'executions':>12}{'seconds':>9}{'edges':>8}")
-    for target in arguments.targets or known:
+    well = True
+    if not arguments.minimise:
+        print(f"{'target':<12}{'executions':>12}{'seconds':>9}{'edges':>8}")
+    for target in sorted(arguments.targets or known, key=lambda name: (name in LENT, name)):
         with tempfile.TemporaryDirectory(dir=MEMORY if MEMORY.is_dir() else None) as place:
-            result = run(target, arguments, place)
-            verdict = ""
-            if result["status"] != 0:
-                verdict = f"  FOUND SOMETHING, see {result['log']}"
-            elif result["edges"] < LEAST_EDGES.get(target, 500):
-                verdict = f"  BLIND: fewer than {LEAST_EDGES.get(target, 500)} edges"
-            failed = failed or bool(verdict)
-            seconds = "-" if result["seconds"] is None else result["seconds"]
-            print(f"{target:<12}{result['executions']:>12}{seconds:>9}{result['edges']:>8}{verdict}",
-                  flush=True)
-            if arguments.keep and not verdict:
-                size, count = keep(target, place)
-                print(f"{'':<12}kept {count} inputs, {size} bytes", flush=True)
-    return 1 if failed else 0
+            fine = arguments.minimise or fuzz(target, arguments, place)
+            if fine and (arguments.keep or arguments.minimise):
+                fine = tell_kept(target, place)
+            well = well and fine
+    return 0 if well else 1
 
 
 if __name__ == "__main__":

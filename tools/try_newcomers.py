@@ -38,6 +38,8 @@ class List:
     material: str = ""
     tables: str = ""  # whole tables of the scene
     told: tuple = ()  # what `check --json` then says: keys, the last one's value or an item of it
+    refused: tuple = ()  # what --set makes `check` refuse the scene, and a word of the message
+    first: bool = False  # whether its word is the list's first: where the first that fits is taken
 
     @property
     def include(self):
@@ -77,6 +79,66 @@ class NewcomerShape {
         told=("objects", "kind", "newcomer_shape"),
     ),
     List(
+        header="portal/aperture.h",
+        variant="Aperture",
+        newcomer="NewcomerAperture",
+        first=True,  # else its polygons are taken for convex ones
+        body="""
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+#include "portal/convex_polygon.h"
+namespace portalens {
+class NewcomerAperture : public ConvexPolygon {
+ public:
+  static constexpr std::string_view name = "newcomer_aperture";
+  NewcomerAperture() = default;
+  explicit NewcomerAperture(ConvexPolygon polygon) : ConvexPolygon(std::move(polygon)) {}
+  static std::optional<NewcomerAperture> from(const FaceInput& input) {
+    const auto polygon = ConvexPolygon::from(input);
+    if (!polygon || input.vertices.size() % 2 == 0) return std::nullopt;
+    return NewcomerAperture(*polygon);
+  }
+  NewcomerAperture carried(std::vector<Vec3d> corners) const {
+    return NewcomerAperture(ConvexPolygon(std::move(corners)));
+  }
+};
+}
+""",
+        tables='[[portal]]\nname = "c"\npair = "d"\nvertices = [[-2, 2, -2], [0, 2, -2], [-1, 3, -2]]\n'
+        '[[portal]]\nname = "d"\npair = "c"\nvertices = [[1, 2, -4], [3, 2, -4], [2, 3, -4]]\n',
+        told=("portals", "face", "newcomer_aperture"),
+    ),
+    List(
+        header="portal/passage.h",
+        variant="Passage",
+        newcomer="NewcomerPassage",
+        first=True,  # the last takes every pair
+        body="""
+#include <optional>
+#include <string_view>
+#include "portal/rigid_passage.h"
+namespace portalens {
+class NewcomerPassage {
+ public:
+  static constexpr std::string_view name = "newcomer_passage";
+  static std::optional<NewcomerPassage> between(const PassageInput& input) {
+    if (input.from.vertices.size() != 3) return std::nullopt;
+    NewcomerPassage made;
+    made.rigid_ = *RigidPassage::between(input);
+    return made;
+  }
+  Passed pass(Vec3d position, Vec3d direction) const { return rigid_.pass(position, direction); }
+  const Rigid* motion() const { return nullptr; }
+ private:
+  RigidPassage rigid_;
+};
+}
+""",
+        refused=("physics.portal_gravity=closest-point", "newcomer_passage"),
+    ),
+    List(
         header="shading/bsdf.h",
         variant="Bsdf",
         newcomer="NewcomerBsdf",
@@ -94,7 +156,7 @@ class NewcomerBsdf {
     return made;
   }
   std::vector<const Texture*> textures() const { return {&color_}; }
-  Rgb most_reflected() const { return brightest(color_); }
+  Rgb max_reflected() const { return brightest(color_); }
   bool sends() const { return false; }
   struct Here {
     Rgb color;
@@ -150,6 +212,7 @@ struct NewcomerLight {
 namespace portalens {
 struct NewcomerCoupling {
   static constexpr std::string_view name = "newcomer_coupling";
+  static constexpr bool asks_motion = false;
   explicit NewcomerCoupling(const CouplingInput&) {}
   static CouplingCost cost(const CouplingInput&) { return {}; }
   Pull pull(Vec3d, Vec3d) const { return {}; }
@@ -250,7 +313,10 @@ def add_newcomers(sources):
         word = re.compile(r"(using " + one.variant + r" =\s*std::variant<[^;]*)>;")
         if not word.search(text):
             sys.exit(f"src/{one.header}: the list {one.variant} is not there; mend LISTS in this tool")
-        text = word.sub(rf"\1, {one.newcomer}>;", text)
+        if one.first:
+            text = text.replace("std::variant<", f"std::variant<{one.newcomer}, ", 1)
+        else:
+            text = word.sub(rf"\1, {one.newcomer}>;", text)
         header.write_text(text.replace('#include "', f'#include "{one.include}"\n#include "', 1))
 
 
@@ -335,6 +401,14 @@ def try_scene(folder):
     failed = [one for one in LISTS if untold(one, answer)]
     for one in failed:
         print(f"{one.newcomer}: `check` does not tell {' '.join(one.told)}")
+    for one in LISTS:
+        if not one.refused:
+            continue
+        setting, word = one.refused
+        done = subprocess.run([program, "check", scene, "--set", setting], capture_output=True, text=True)
+        if done.returncode != 2 or word not in done.stderr:
+            print(f"{one.newcomer}: {setting} is not refused with a message of {word}:\n{done.stderr}")
+            failed.append(one)
     draws = run([program, "draw", scene, "-o", folder / "newcomers.svg"])
     renders = run([program, "render", scene, "-o", folder / "newcomers.png"])
     return 1 if failed or draws.returncode or renders.returncode else 0

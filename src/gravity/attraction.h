@@ -84,7 +84,7 @@ using Bending = BendingOf<double>;
 template <class Real>
 [[nodiscard]] auto sinks(const BendingOf<Real>& bending, Vec3<Real> direction) {
   const Vec3<Real> a = bending.acceleration;
-  return (dot(a, a) * Real(1.5) > bending.gradient) & (dot(a, direction) > Real(0));
+  return both(dot(a, a) * Real(1.5) > bending.gradient, dot(a, direction) > Real(0));
 }
 
 /// Adds what a mass does to a path: nothing where `m` is 0.

@@ -9,8 +9,8 @@
 
 namespace portalens {
 
-/// 128 bits in 32 hexadecimal digits: FarmHash's Fingerprint128, or FNV-1a in builds without
-/// OpenImageIO; the same on every machine. Guards against accidents, not against forgers.
+/// 128 bits in 32 hexadecimal digits: XXH3 of xxHash, the same in every build and on every machine.
+/// Guards against accidents, not against forgers.
 [[nodiscard]] std::string digest(std::string_view bytes);
 
 /// The digests of files, as their bytes were when they were read.

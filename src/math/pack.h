@@ -98,6 +98,7 @@ struct Pair {
     friend Mask operator|(Mask x, Mask y) { return {x.a | y.a, x.b | y.b}; }
     friend Mask operator^(Mask x, Mask y) { return {one_of<P>(x.a, y.a), one_of<P>(x.b, y.b)}; }
     friend Mask operator!(Mask x) { return {!x.a, !x.b}; }
+    friend Mask both(Mask x, Mask y) { return x & y; }
     friend bool any(Mask x) { return xsimd::any(x.a | x.b); }
     /// Bit i for lane i.
     friend std::uint32_t bits(Mask x) { return bits_of<P>(x.a) | bits_of<P>(x.b) << P::size; }

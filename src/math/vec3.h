@@ -48,6 +48,7 @@ template <class Real>
 /// Packs of lanes have faster ones, good enough for them.
 [[nodiscard]] inline double inverse_sqrt(double x) { return 1.0 / std::sqrt(x); }
 [[nodiscard]] inline double select(bool first, double a, double b) { return first ? a : b; }
+[[nodiscard]] inline bool both(bool first, bool second) { return first && second; }
 [[nodiscard]] inline double inverse_fourth_root(double x) { return 1.0 / std::sqrt(std::sqrt(x)); }
 
 /// @pre the length is not 0

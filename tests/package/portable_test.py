@@ -82,6 +82,16 @@ class Portable(unittest.TestCase):
         ways = ["trace", "scene.toml", "--ray", "0", "1", "5", "0", "0", "-1", "--json", "--path"]
         self.assertEqual(self.succeed(PORTABLE, *ways), self.succeed(OTHER, *ways))
 
+    def test_parts_of_both_merge_to_the_picture_of_one(self):
+        if OTHER is None:
+            self.skipTest("no other program to merge with")
+        for name, program, crop in (("a.part", PORTABLE, "0 0 48 16"), ("b.part", OTHER, "0 16 48 32")):
+            self.succeed(program, "render", "scene.toml", "-o", name, "--crop", *crop.split())
+        self.succeed(OTHER, "merge", "a.part", "b.part", "-o", "merged.exr")
+        self.succeed(OTHER, "render", "scene.toml", "-o", "whole.exr")
+        self.assertIn("max 0 ", self.succeed(OTHER, "image", "--compare", "merged.exr", "whole.exr",
+                                             "--threshold", "0"))
+
     def test_a_picture_that_needs_a_library_is_a_fault_at_its_line(self):
         (self.folder / "sky.png").write_bytes(b"\x89PNG\r\n\x1a\n")
         (self.folder / "sky.toml").write_text('[environment]\nimage = "sky.png"\n',

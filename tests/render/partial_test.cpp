@@ -247,6 +247,20 @@ std::string refusal(const Provenance& of, const Exposure& exposure) {
   return "";
 }
 
+/// Before anything else of it: its digests are of another kind, too.
+TEST(Partial, AnOlderLayoutIsToldByItsVersion) {
+  std::string bytes = encoded_partial(provenance, *begun(part_options(16)));
+  bytes[16] = 3;
+  try {
+    (void)PartialFile("a.part", bytes);
+    FAIL() << "it was read";
+  } catch (const SceneError& error) {
+    EXPECT_NE(
+        to_string(error.faults().front()).find("its layout has version 3; this program knows"),
+        std::string::npos);
+  }
+}
+
 TEST(Partial, TheWordsOfAStrangersPieceAreNoCommand) {
   const auto exposure = begun(part_options(16), 4);
   Provenance of = provenance;
