@@ -95,8 +95,9 @@ TYPED_TEST(Laws, EndLightWhereItCouldNotReturn) {
   // Nearer than where light circles, it falls.
   EXPECT_LE(TypeParam::horizon_radius(1.0, 0.0), 2.0 * constants.light_sphere);
   EXPECT_GT(TypeParam::horizon_radius(1.0, 0.0), 0.0);
-  if constexpr (requires { TypeParam::greatest_potential; })
+  if constexpr (requires { TypeParam::greatest_potential; }) {
     EXPECT_DOUBLE_EQ(1.0 / TypeParam::horizon_radius(1.0, 0.0), TypeParam::greatest_potential);
+  }
 }
 
 TYPED_TEST(Laws, AreFoundByTheirNames) {

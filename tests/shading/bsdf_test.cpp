@@ -16,7 +16,9 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-std::shared_ptr<const Image> no_image(const std::string&, const Location&) { return nullptr; }
+[[maybe_unused]] std::shared_ptr<const Image> no_image(const std::string&, const Location&) {
+  return nullptr;
+}
 
 /// Some of a type, none of which gives back more than it gets.
 template <class Type>
