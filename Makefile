@@ -1,7 +1,7 @@
 # The everyday commands; CMake does the work, and CMakePresets.json has the other builds.
 BUILD ?= build
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
-# For the first time that a folder is configured, for instance -DPORTALENS_BENCHMARKS=OFF.
+# For the first time that a folder is configured, for instance -DPORTALENS_PORTABLE=ON.
 CMAKE_OPTIONS ?=
 DEMO_SCENE ?= scenes/demo.toml
 DEMO_PICTURE ?= $(BUILD)/demo.png
@@ -21,10 +21,12 @@ demo: $(BUILD)/build.ninja
 	@cmake --build $(BUILD) --parallel $(JOBS) --target portalens
 	@$(BUILD)/portalens render $(DEMO_SCENE) -o $(DEMO_PICTURE) --stats
 
-test: all
+test: $(BUILD)/build.ninja
+	@cmake --build $(BUILD) --parallel $(JOBS) --target tested_programs
 	@cd $(BUILD) && ctest --output-on-failure --parallel $(JOBS)
 
-test-long: all
+test-long: $(BUILD)/build.ninja
+	@cmake --build $(BUILD) --parallel $(JOBS) --target tested_programs
 	@cd $(BUILD) && PORTALENS_TEST_SCALE=10 ctest --output-on-failure --parallel $(JOBS)
 
 # So many random scenes by all engines (make differential N=100 SEED=7 DIFFERENTIAL=--minimise).

@@ -45,8 +45,8 @@ void add_pair(Stage& stage, Portal a, Portal b) {
   const auto first = static_cast<std::uint32_t>(stage.portals.size());
   a.pair = first + 1;
   b.pair = first;
-  a.through = motion_through(a.frame, b.frame);
-  b.through = motion_through(b.frame, a.frame);
+  a.passage = RigidPassage(motion_through(a.frame, b.frame));
+  b.passage = RigidPassage(motion_through(b.frame, a.frame));
   stage.portals.push_back(std::move(a));
   stage.portals.push_back(std::move(b));
 }
