@@ -76,6 +76,8 @@ class LaneDriver {
       arrival.turning = lanes_.turning[lane];
       arrival.steps = static_cast<std::uint32_t>(lanes_.steps[lane]);
     }
+    if (event == LaneEvent::consult && !fresh)
+      state.position = plan_.planes.before(state, lanes_.departed[lane]);
     if (event == LaneEvent::resign) {
       resign(lane);
       return;
