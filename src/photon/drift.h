@@ -31,7 +31,7 @@ inline constexpr double trusted_drift = 20.0;
 /// by the scalar engine; radians. At fine tolerances more of the drift is rounding, which an
 /// estimate of a step's error does not tell from luck.
 [[nodiscard]] constexpr double trusted_drift_in_lanes(double tolerance) {
-  return 100.0 * tolerance * (tolerance < 1e-4 ? tolerance / 1e-4 : 1.0);
+  return 70.0 * tolerance * (tolerance < 1e-4 ? tolerance / 1e-4 : 1.0);
 }
 
 /// So far a path that ends in a horizon may drift, radians: it is asked for no direction.
