@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lanes/log.h"
+#include "lanes/reached_portals.h"
 #include "lanes/states.h"
 #include "photon/advance.h"
 #include "photon/radau.h"
@@ -77,7 +78,7 @@ class LaneDriver {
       arrival.steps = static_cast<std::uint32_t>(lanes_.steps[lane]);
     }
     if (event == LaneEvent::consult && !fresh)
-      state.position = plan_.planes.before(state, lanes_.departed[lane]);
+      state.position = before_portals(space_, plan_.scene, state, lanes_.departed[lane]);
     if (event == LaneEvent::resign) {
       resign(lane);
       return;

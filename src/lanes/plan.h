@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "lanes/face_planes.h"
 #include "lanes/isolated_masses.h"
 #include "lanes/mass_grid.h"
 #include "lanes/scene.h"
@@ -28,7 +27,6 @@ struct LanePlan {
   MassGrid many;  ///< that `scene.many` looks into
   /// The shapes that `scene.boxes` hold: steps near those are left to the scalar engine.
   std::vector<std::uint32_t> boxed;
-  FacePlanes planes;  ///< of the polygons and the portals
 
   LanePlan() = default;
   LanePlan(const LanePlan&) = delete;

@@ -22,8 +22,6 @@ struct Thin {
   Vec3d normal;
   std::uint32_t plane;  ///< its index in `FlushFaces`; `LeftPlane::none` if nothing shares it
   Box box;
-  float leaves;  ///< as of `FacePlane`
-  bool from_behind;
 
   /// Whether all its corners lie that close to the plane of another.
   [[nodiscard]] bool hugs(const Thin& other, double distance) const {
@@ -59,8 +57,7 @@ class ShapeLayout {
     const FlushFaces::Place* place = space_.surfaces.flush().find(index_, 0);
     Box box;
     for (const Vec3d& vertex : vertices) box.add(vertex);
-    const float leaves = place ? LanePlan::departed_from(place->plane) : static_cast<float>(index_);
-    faces_.push_back({vertices, normal, place ? place->plane : LeftPlane::none, box, leaves, true});
+    faces_.push_back({vertices, normal, place ? place->plane : LeftPlane::none, box});
     fill(scene.polygons[scene.polygon_count++], faces_.back(), place);
     return true;
   }
@@ -74,28 +71,16 @@ class ShapeLayout {
     return true;
   }
 
-  /// To be called once, when all shapes have been added.
-  void add_portals() {
+  /// Adds a box wherever two faces are too close for floats to tell which of them comes first:
+  /// steps in there are left to the scalar engine.
+  void add_narrow_gaps() {
     for (std::uint32_t i = 0; i < space_.portals.portals().size(); ++i) {
       const Portal& portal = space_.portals.portals()[i];
       Box box;
       for (const Vec3d& vertex : portal.vertices) box.add(vertex);
-      const std::uint32_t plane = space_.portals.plane_of(i).plane;
-      faces_.push_back({portal.vertices, portal.frame.normal, plane, box,
-                        LanePlan::departed_from(plane), portal.has_back()});
+      faces_.push_back(
+          {portal.vertices, portal.frame.normal, space_.portals.plane_of(i).plane, box});
     }
-  }
-
-  void add_planes() {
-    for (const Thin& face : faces_)
-      plan_.planes.planes.push_back({face.vertices[0], face.normal, face.leaves, face.from_behind});
-    // Of a place, of the plane, and of what is summed to the distance between them.
-    plan_.planes.rounding = 4e-7 * space_.extent;
-  }
-
-  /// Adds a box wherever two faces are too close for floats to tell which of them comes first:
-  /// steps in there are left to the scalar engine.
-  void add_narrow_gaps() {
     Box all;
     for (const Thin& face : faces_) all.add(face.box);
     if (space_.viewpoint) all.add(*space_.viewpoint);
@@ -139,7 +124,7 @@ class ShapeLayout {
     lane.normal = narrow(normal);
     lane.distance = static_cast<float>(dot(vertices[0] - center, normal));
     lane.shape = static_cast<int>(index_);
-    lane.leaves = face.leaves;
+    lane.leaves = place ? LanePlan::departed_from(place->plane) : static_cast<float>(lane.shape);
     lane.facing = place ? static_cast<float>(place->side) : 1.0f;
     const Vec3d middle = face.box.middle();
     double radius = 0.0;
@@ -170,8 +155,6 @@ void add_surfaces(const Space& space, LanePlan& plan) {
   const auto& shapes = space.surfaces.shapes();
   for (std::size_t i = 0; i < shapes.size(); ++i)
     layout.add(static_cast<std::uint32_t>(i), shapes[i]);
-  layout.add_portals();
-  layout.add_planes();
   layout.add_narrow_gaps();
 }
 

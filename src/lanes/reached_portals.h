@@ -1,0 +1,30 @@
+/// \file
+/// For paths that lanes hand over to the scalar engine within a step: what a float's rounding has
+/// put behind a portal that lanes have not seen it cross. In double it would be past the portal,
+/// and never cross it.
+#pragma once
+
+#include "lanes/scene.h"
+#include "photon/space.h"
+#include "photon/step.h"
+
+namespace portalens {
+
+/// Where the path is, by the rule by which lanes find crossings (lanes/meetings.h): a place that is
+/// no further behind a portal than its `tolerance` counts as in front of it.
+/// @param departed  `Lanes::departed` of the path
+[[nodiscard]] inline Vec3d before_portals(const Space& space, const LaneScene& scene,
+                                          const State& state, float departed) {
+  Vec3d place = state.position;
+  for (int p = 0; p < scene.portal_count; ++p) {
+    const LanePortal& lane = scene.portals[p];
+    const Frame& frame = space.portals.portals()[static_cast<std::size_t>(p)].frame;
+    if (departed == lane.leaves || dot(state.direction, frame.normal) >= 0.0) continue;
+    const double height = dot(place - frame.origin, frame.normal);
+    if (height <= 0.0 && height >= -static_cast<double>(lane.tolerance))
+      place -= frame.normal * height;
+  }
+  return place;
+}
+
+}  // namespace portalens
