@@ -73,6 +73,7 @@ struct BendingOf {
   Real stiffness{};           ///< Σ w m / d⁵ with w = path_weight, 1/length⁴
   Real nearness{};            ///< Σ v / d⁴ with v = approach_weight, 1/length⁴
   Real gradient{};            ///< Σ 2 m / d³, of the acceleration, 1/length²
+  Real shear{};               ///< Σ m |3 b²/d² - 1| / d³, of that across the path, 1/length²
   Real sinking{};             ///< 1 where light is lost (`sinks`), else 0
 };
 using Bending = BendingOf<double>;
@@ -87,13 +88,20 @@ template <class Real>
   return both(dot(a, a) * Real(1.5) > bending.gradient, dot(a, direction) > Real(0));
 }
 
+/// Adds a gradient that may lie in any direction.
+template <class Real>
+void add_gradient(BendingOf<Real>& sum, Real gradient) {
+  sum.gradient = sum.gradient + gradient;
+  sum.shear = sum.shear + gradient;
+}
+
 /// Adds what a mass does to a path: nothing where `m` is 0.
 /// @param q      d² of the path to it, with its core; `along` that way's part along the path of
 /// light
 /// @param m, m2  G M / c², and its square where m is not 0
 template <class Real>
 void add_bending(BendingOf<Real>& sum, Vec3<Real> to_mass, Real q, Real along, Real m, Real m2) {
-  using std::max;
+  using std::abs, std::max;
   const Real b2 = subtract_product(q, along, along);
   const MassPull<Real> pull = MassPull<Real>::of(q, m);
   sum.acceleration = multiply_add(to_mass, pull.pull, sum.acceleration);
@@ -103,6 +111,8 @@ void add_bending(BendingOf<Real>& sum, Vec3<Real> to_mass, Real q, Real along, R
                                      approach_weight(along * pull.inverse), sum.nearness);
   sum.nearness = select(m > Real(0), nearness, sum.nearness);
   sum.gradient = multiply_add(Real(2), pull.pull, sum.gradient);
+  sum.shear =
+      multiply_add(pull.pull, abs(multiply_add(b2 * pull.inverse2, Real(3), Real(-1))), sum.shear);
 }
 
 }  // namespace portalens

@@ -70,7 +70,7 @@ class Field {
       sum.sinking = sinks(sum, t) ? 1.0 : 0.0;
       // The weight changes, too: ∇h = h' ∇w.
       const double square = dot(sum.acceleration, sum.acceleration) / (weight * weight);
-      sum.gradient += std::fabs(W::weight_slope(w)) * square;
+      add_gradient(sum, std::fabs(W::weight_slope(w)) * square);
       return sum;
     }
   }
@@ -135,7 +135,7 @@ class Field {
     sum.acceleration += through.acceleration * per_gm;
     sum.stiffness += through.stiffness * per_gm * distant_weight;
     sum.nearness += through.nearness;
-    sum.gradient += through.gradient * per_gm;
+    add_gradient(sum, through.gradient * per_gm);
   }
 
   std::span<const Mass> masses_;

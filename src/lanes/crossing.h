@@ -61,6 +61,7 @@ class LaneCrossing {
   struct Passage {
     V place, direction;
     R length, turning;  ///< 0 in other lanes
+    R gain;             ///< radians that it turns more by, for each length that it is nearer, about
     R object;
     Mask captured;  ///< they end on the horizon
   };
@@ -89,11 +90,14 @@ class LaneCrossing {
     const R ahead = select(falls, -horizon * falling.cell * R(1.0 / captured_cells), half_);
     const R away = select(falls, horizon * falling.factor, b);
     const V center{R::load(masses.x), R::load(masses.y), R::load(masses.z)};
-    const R none(0);
+    const R none(0), turning = select(here, found.turning * factor, none);
+    // Of α = a/b that is α/b, and where α = -ln(b - b_c) nears capture, no more.
+    const R above_capture = max(impact - range.capture, R(1e-6)) * influence;
     return {center + out * ahead - in * away,
             unit(out),
             select(here, found.length * select(falls, R(1), factor) * influence, none),
-            select(here, found.turning * factor, none),
+            turning,
+            select(here & !falls, turning / above_capture, none),
             which_ + R(first_isolated_object),
             here & falls};
   }

@@ -49,7 +49,8 @@ struct LocalPath {
 };
 
 /// The square of the distance, along a path, from a face, less that of its reach: from the held
-/// feature where it acts, else from the nearest, whichever that is there.
+/// feature where it acts, else from the nearest, whichever that is there: it jumps where a path
+/// comes from behind the face to before it.
 template <class R, class Face, class Nearest>
 struct LaneApart {
   const Face& face;  ///< has `reach2`
@@ -66,6 +67,8 @@ struct LaneApart {
     // What its nearest point moves by is at right angles to that.
     return R(2) * dot(from_face(u), way);
   }
+  /// The height over the face's plane.
+  [[nodiscard]] const LaneQuintic<R, R>& plane() const { return path.z; }
 
  private:
   [[nodiscard]] Vec3<R> from_face(R u) const {

@@ -69,7 +69,7 @@ struct LaneMasses {
       sum.sinking = select(sinks(sum, t), R(1), R(0));
       // The weight changes, too: ∇h = h' ∇w.
       const R share = dot(sum.acceleration, sum.acceleration) / (weight * weight);
-      sum.gradient = multiply_add(abs(W::weight_slope(w)), share, sum.gradient);
+      add_gradient(sum, abs(W::weight_slope(w)) * share);
     }
     return sum;
   }

@@ -65,6 +65,9 @@ struct FirstMeeting {
                                    const Square& square) {
     const auto excess = square();
     if (any(grazes)) offer_graze(grazes, within, excess, span);
+    // Past its plane a face is at once nearer: there a search for where the distance passes the
+    // reach ends too early or too late.
+    if constexpr (requires { excess.plane(); }) offer(toggles & !within, excess.plane(), span);
     if (any(toggles)) miss(toggles & !offer(toggles, excess, span), span);
   }
 

@@ -35,7 +35,7 @@ class LaneGates : public LaneGateChanges<R, Nearest> {
                                    sum.stiffness);
       sum.nearness =
           select(gm > R(0), multiply_add(inverse4, slowness[g], sum.nearness), sum.nearness);
-      sum.gradient = multiply_add(R(2) * source.pull, nearest_[g].moves(), sum.gradient);
+      add_gradient(sum, R(2) * source.pull * nearest_[g].moves());
     });
   }
 

@@ -54,7 +54,7 @@ class LaneGravitonMap {
       const Vec3<R> way = to_axes(t, face.right, face.up, face.normal);
       slowness[k] = slowness_of(nearest_[k].keep_x * way.x, nearest_[k].keep_y * way.y);
       sum.nearness = sum.nearness + nearness_[k] * slowness[k];
-      sum.gradient = sum.gradient + gradient_[k];
+      add_gradient(sum, gradient_[k]);
     }
     const Found found = look_up(x, [&](int k) { return slowness[k]; });
     sum.acceleration += found.acceleration;

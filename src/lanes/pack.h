@@ -64,6 +64,13 @@ class LanePack {
             drift(move, stays)};
   }
 
+  /// How far from where it should be a path may be after a straight flight.
+  [[nodiscard]] R aside_after(R flight, V place) const {
+    const R direction = read(&Lanes::askew) + R(rounding);
+    return multiply_add(direction, flight,
+                        multiply_add(span(place), R(rounding), read(&Lanes::astray)));
+  }
+
   /// What is written where a step was found to end, or not to be taken; bit i for lane i where
   /// there is an event.
   [[nodiscard]] std::uint32_t tell(R event, R object) const {
@@ -82,6 +89,10 @@ class LanePack {
   [[nodiscard]] static R code(LaneEvent event) { return R(static_cast<int>(event)); }
 
  private:
+  /// Of a float, ten times: its errors are what they are, those of steps are far below what is
+  /// estimated of them.
+  static constexpr double rounding = 6e-7;
+
   [[nodiscard]] R add(LaneRow row, Mask stays, R more) const {
     const R old = read(row);
     const R sum = select(stays, old, old + more);
@@ -91,12 +102,11 @@ class LanePack {
   /// What the step and the rounding of where it ends add to what a way has drifted; how much its
   /// direction then has.
   [[nodiscard]] R drift(const Move& move, Mask stays) const {
-    const R rounding(6e-8);
     const Drift<R> before{read(&Lanes::astray), read(&Lanes::askew)};
     Drift<R> after = before;
-    after.pass(move.length, move.gradient, move.error + rounding);
+    after.pass(move.length, move.gradient, move.error + R(rounding));
     const R size = span(move.place);
-    write(&Lanes::astray, stays, before.place, multiply_add(size, rounding, after.place));
+    write(&Lanes::astray, stays, before.place, multiply_add(size, R(rounding), after.place));
     write(&Lanes::askew, stays, before.direction, after.direction);
     return select(stays, before.direction, after.direction);
   }

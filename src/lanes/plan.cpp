@@ -141,7 +141,8 @@ void set_steps(const Space& space, double ahead, LanePlan& plan) {
       step.nearness_weight / (looks_through(scene) ? std::pow(longest_with_portals, 4) : 1.0));
   scene.third_weight = static_cast<float>(step.third_weight);
   scene.tolerance = static_cast<float>(physics.tolerance);
-  scene.max_drift = static_cast<float>(trusted_drift_in_lanes(physics.tolerance));
+  const int masses = scene.mass_count + scene.many.count;
+  scene.max_drift = static_cast<float>(trusted_drift_in_lanes(masses, physics.tolerance));
   scene.max_absorbed = static_cast<float>(absorbed_drift);
   scene.feedback_weight = static_cast<float>(step.feedback_weight);
   scene.overshoot = static_cast<float>(overshoot_for(space, ahead));

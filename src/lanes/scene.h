@@ -33,13 +33,14 @@ struct LaneMass {
 /// follow.
 inline constexpr int max_lane_steps = 512;
 /// How strictly the steps of a path are judged: they may err by so much less, and are shorter from
-/// the start by the seventh root of that. A path that drifts is taken again more strictly. Of the
-/// strictest steps nearly all drift is rounding, which has either sign: it may be some times more.
+/// the start by the seventh root of that. A path that drifts is taken again more strictly. Of
+/// shorter steps most drift is rounding, which has either sign and is counted ten times: it may be
+/// more.
 struct LaneStrictness {
   float judged, shorter, drifts;
 };
 inline constexpr LaneStrictness lane_strictness[] = {
-    {1.0f, 1.0f, 1.0f}, {30.0f, 0.615f, 1.0f}, {900.0f, 0.378f, 4.0f}};
+    {1.0f, 1.0f, 1.0f}, {30.0f, 0.615f, 2.0f}, {900.0f, 0.378f, 6.0f}};
 inline constexpr int max_lane_strictness = 2;
 inline constexpr int lane_count = 32;  ///< as many as `LaneStep` has bits
 

@@ -47,8 +47,7 @@ class LaneShortestPath {
       const R stiffness = held.gm * inverse_square * inverse2 * sqrt(inverse2);
       sum.stiffness = sum.stiffness + select(acts, stiffness * R(distant_weight), R(0));
       sum.nearness = sum.nearness + select(acts, inverse2 * inverse2, R(0));
-      sum.gradient =
-          sum.gradient + select(acts, R(2) * held.gm * inverse_square * sqrt(inverse2), R(0));
+      add_gradient(sum, select(acts, R(2) * held.gm * inverse_square * sqrt(inverse2), R(0)));
     });
   }
 

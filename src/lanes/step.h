@@ -58,7 +58,7 @@ class LaneStepper {
 
     typename LanePack<R>::Move move = to_end(here, path, found.share, course.ends);
     move.clear = course.clear;
-    move.gradient = start.gradient;
+    move.gradient = start.shear;
     if constexpr (!F::Weight::uniform)
       move.gradient = select(start.sinking > R(0), R(0), move.gradient);
     move.error = R(scene_.tolerance) * select(flies, R(0), judgement.error);
@@ -266,6 +266,8 @@ class LaneStepper {
   [[nodiscard]] R cross(const LaneCrossing<R>& isolated, typename LanePack<R>::Move& move,
                         LaneFinding<R>& found) const {
     const auto passage = isolated.pass();
+    const R aside = pack_.aside_after(move.length, move.place);
+    move.error = multiply_add(passage.gain, aside, move.error);
     move.place = choose(isolated.enters, passage.place, move.place);
     move.direction = choose(isolated.enters, passage.direction, move.direction);
     move.length = move.length + passage.length;

@@ -175,7 +175,7 @@ class Tracer : public Traveller {
   [[nodiscard]] double drift_gradient() const {
     if constexpr (!W::uniform)
       if (bending_.sinking > 0.0) return 0.0;
-    return bending_.gradient;
+    return bending_.shear;
   }
 
   /// Of the step that was tried last.

@@ -8,11 +8,12 @@
 namespace portalens::differential {
 
 KeptFind read_find(const std::filesystem::path& file) {
-  KeptFind find{file, {}, false};
+  KeptFind find{file, {}};
   bool told = false;
   std::ifstream in(file);
   for (std::string line; std::getline(in, line);) {
     find.open |= line == "# open";
+    if (line.rfind("# within ", 0) == 0) find.tolerances = std::stod(line.substr(9));
     const auto ray = line.find(" --ray ");
     if (line.rfind("# ", 0) != 0 || ray == std::string::npos) continue;
     std::istringstream numbers(line.substr(ray + 7));
