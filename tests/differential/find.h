@@ -13,7 +13,7 @@ namespace portalens::differential {
 struct KeptFind {
   std::filesystem::path file;
   Photon photon;
-  bool open = false;      ///< it has a line `# open`: nobody has mended it yet
+  bool open = false;       ///< it has a line `# open`: nobody has mended it yet
   double tolerances = 10;  ///< to which it is followed; another number in a line `# within 1`
 };
 
