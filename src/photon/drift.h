@@ -34,7 +34,7 @@ inline constexpr double trusted_drift = 8.0;
 /// steps, and then by the scalar engine. The drift overestimates what comes of many steps about one
 /// mass; of a few about one that others magnify, it is nearer to the truth: of paths that had
 /// drifted by 20 to 40 tolerances of 1e-4, 1 of 14 was off by over one about up to 3 masses, about
-/// more of them nearly every other. So it is of finer steps.
+/// 4 to 12 of them nearly every other. So it is of finer steps.
 [[nodiscard]] inline double trusted_drift_in_lanes(int masses, double tolerance) {
   const double tolerances = masses > 3 ? 10.0 : 40.0;
   return tolerances * tolerance * std::sqrt(std::fmin(tolerance / 1e-4, 1.0));
