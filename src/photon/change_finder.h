@@ -36,7 +36,7 @@ class ChangeFinder {
       }
       good = share * h;
     }
-    // What changes and changes back between the places looked at.
+    // Influences that are entered and left, or left and entered, between two samples.
     const double grazed = grazed_influence(curve, bad, margin);
     if (grazed < bad) {
       changed = true;
@@ -64,23 +64,38 @@ class ChangeFinder {
            field_.signature(x) != surroundings_.signature;
   }
 
-  /// Arc length in the middle of an influence that the curve only grazes before `end`, or `end`.
+  /// Arc length of a place before `end` within an influence that the curve only grazes, or out of
+  /// one that it leaves and enters again; or `end`.
   [[nodiscard]] double grazed_influence(const Curve& curve, double end, double margin) const {
     double first = end;
     const Vec3d a = curve.position(0.0), b = curve.position(end);
-    const Vec3d along = b - a;
-    const double length2 = dot(along, along);
     for (const std::uint32_t i : vicinity_.near()) {
       const Mass& mass = space_.masses[i];
       if (std::isinf(mass.influence)) continue;
-      const double share = dot(mass.center - a, along) / length2;
-      if (share <= 0.0 || share >= 1.0) continue;
-      const double s = share * end;
-      if (s < first && !Field<C, W>::within(mass, a) &&
-          Field<C, W>::within(mass, curve.position(s)))
-        first = s;
+      const bool within = Field<C, W>::within(mass, a);
+      // Over the curve the distance changes by no more than its length.
+      const double both = length(mass.center - a) + length(mass.center - b);
+      if (within ? both + end < 2.0 * mass.influence : both - end > 2.0 * mass.influence) continue;
+      const double s = turning_place(curve, mass.center, end, within ? 1.0 : -1.0);
+      if (s < first && Field<C, W>::within(mass, curve.position(s)) != within) first = s;
     }
     return grazed_coupling(curve, first, margin);
+  }
+
+  /// Arc length where the distance from a place ceases to grow (`side` 1) or to fall (-1), if it
+  /// does before `end`; or `end`. To within what matters: there the distance changes least.
+  [[nodiscard]] static double turning_place(const Curve& curve, Vec3d center, double end,
+                                            double side) {
+    const auto goes_on = [&](double s) {
+      return dot(curve.position(s) - center, curve.direction(s)) * side > 0.0;
+    };
+    if (!goes_on(0.0) || goes_on(end)) return end;
+    double low = 0.0, high = end;
+    for (int k = 0; k < 16; ++k) {
+      const double middle = 0.5 * (low + high);
+      (goes_on(middle) ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
   }
 
   /// The same for the coupling, before `end`: as its boundaries are at least
