@@ -30,7 +30,7 @@ template <class Real>
 /// @param m2  square of the gravitational radius, b2  of the distance b
 template <class Real>
 [[nodiscard]] Real path_weight(Real m2, Real b2) {
-  return Real(0.1) + Real(11.0) * m2 / (b2 + Real(2.0) * m2);
+  return Real(0.1) + Real(10.4) * m2 / (b2 + Real(2.0) * m2);
 }
 
 /// How much a mass's nearness shortens steps, by the cosine of the angle between the path and the

@@ -17,6 +17,9 @@
 namespace portalens {
 namespace {
 
+/// How long a step of lanes may be, as a share of the scalar engine's: floats add errors of their
+/// own.
+constexpr double longest_in_lanes = 0.648 / 0.6498;
 /// Lanes find the borders of what comes through portals less exactly than the scalar engine: there
 /// no step may be as long, as a share of the longest elsewhere.
 constexpr double longest_with_portals = 0.85;
@@ -136,9 +139,11 @@ void set_steps(const Space& space, double ahead, LanePlan& plan) {
   const Physics& physics = space.physics;
   LaneScene& scene = plan.scene;
   const Radau step = Radau::from({physics.step, physics.tolerance});
-  scene.stiffness_weight = static_cast<float>(step.stiffness_weight);
-  scene.nearness_weight = static_cast<float>(
-      step.nearness_weight / (looks_through(scene) ? std::pow(longest_with_portals, 4) : 1.0));
+  const double longest =
+      looks_through(scene) ? longest_in_lanes * longest_with_portals : longest_in_lanes;
+  scene.stiffness_weight =
+      static_cast<float>(step.stiffness_weight / std::pow(longest_in_lanes, 4));
+  scene.nearness_weight = static_cast<float>(step.nearness_weight / std::pow(longest, 4));
   scene.third_weight = static_cast<float>(step.third_weight);
   scene.tolerance = static_cast<float>(physics.tolerance);
   const int masses = scene.mass_count + scene.many.count;

@@ -24,9 +24,10 @@ Vec3d unit(Vec3d a) {
 /// moves no light.
 constexpr float turning_counts = 1.0f / 4.0f;
 
-/// The largest third difference of directions, in tolerances: beside where influences begin, as
-/// beside a square root's zero, a fortieth of it is what the polynomial errs by.
-constexpr double max_in_tolerances = 400.0;
+/// The largest third difference of directions, in tolerances. Of a smooth function the polynomial
+/// errs by less than a fortieth of it; of one that bends sharply between two nodes, as gravity
+/// through portals lets it, by a quarter and more.
+constexpr double max_in_tolerances = 40.0;
 
 /// How much rougher what is absorbed may be.
 constexpr double absorbed_may_differ = 8.0;
