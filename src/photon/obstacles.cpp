@@ -68,12 +68,7 @@ std::optional<Encounter> Obstacles::in_section(const Curve& curve, const Section
   if (flat) {
     const auto found =
         first(Ray{section.x0, along / chord_length}, chord_length, start.after(section.s0));
-    if (!found || sagitta <= finest) {
-      if (!found) return std::nullopt;
-      Encounter at = *found;
-      at.distance = section.s0 + found->distance / chord_length * (section.s1 - section.s0);
-      return at;
-    }
+    if (!found) return std::nullopt;
     if (const auto refined = refine(curve, section, *found)) {
       if (refined->kind != Encounter::Kind::surface) return refined;
       const double s = refined->distance;
@@ -81,6 +76,11 @@ std::optional<Encounter> Obstacles::in_section(const Curve& curve, const Section
           uppermost({refined->object, refined->face, 0.0}, {curve.position(s), curve.direction(s)});
       seen.distance = s;
       return seen;
+    }
+    if (sagitta <= finest) {
+      Encounter at = *found;
+      at.distance = section.s0 + found->distance / chord_length * (section.s1 - section.s0);
+      return at;
     }
   }
 
