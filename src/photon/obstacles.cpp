@@ -69,7 +69,8 @@ std::optional<Encounter> Obstacles::in_section(const Curve& curve, const Section
     const auto found =
         first(Ray{section.x0, along / chord_length}, chord_length, start.after(section.s0));
     if (!found) return std::nullopt;
-    if (const auto refined = refine(curve, section, *found)) {
+    const auto refined = refine(curve, section, *found);
+    if (refined && !left_behind(curve, *refined, start.guard)) {
       if (refined->kind != Encounter::Kind::surface) return refined;
       const double s = refined->distance;
       Encounter seen =
@@ -89,6 +90,16 @@ std::optional<Encounter> Obstacles::in_section(const Curve& curve, const Section
   if (const auto found = in_section(curve, {section.s0, middle, section.x0, x}, flatness, start))
     return found;
   return in_section(curve, {middle, section.s1, x, section.x1}, flatness, start);
+}
+
+bool Obstacles::left_behind(const Curve& curve, const Encounter& met,
+                            const SelfIntersectionGuard& guard) const {
+  if (met.kind != Encounter::Kind::surface || met.object != guard.shape || met.face != guard.face ||
+      met.distance > guard.reach)
+    return false;
+  const Vec3d normal =
+      surfaces_.surface_at(met.object, met.face, curve.position(met.distance)).geometric_normal;
+  return dot(curve.direction(met.distance), normal) * guard.side > 0.0;
 }
 
 /// Newton's method: the tangent of the curve, met with the surface, gives the next guess.

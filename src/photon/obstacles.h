@@ -71,6 +71,9 @@ class Obstacles {
   };
   [[nodiscard]] std::optional<Encounter> in_section(const Curve& curve, const Section& section,
                                                     double flatness, const PathStart& start) const;
+  /// Whether it is the face that the path has just left, met by rounding.
+  [[nodiscard]] bool left_behind(const Curve& curve, const Encounter& met,
+                                 const SelfIntersectionGuard& guard) const;
   [[nodiscard]] std::optional<Encounter> refine(const Curve& curve, const Section& section,
                                                 Encounter found) const;
 
