@@ -1,4 +1,4 @@
-# Builds for WebAssembly (emcmake cmake --preset wasm): the core alone, in one thread, upon the headers of
+# Builds for WebAssembly (cmake --preset wasm): the core alone, in one thread, upon the headers of
 # fmt, toml++, xsimd and xxHash. They lie among those of this machine, of which no other may be seen.
 set(portalens_linked)
 set(header_folder ${CMAKE_BINARY_DIR}/headers)

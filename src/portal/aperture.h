@@ -1,7 +1,8 @@
 /// \file
 /// The list of apertures: the faces that portals may have. equations.md, sec. 4. To add one: a
 /// header beside this one, and a word in `Aperture`; what a scene says of it comes by `FaceInput`,
-/// which `world/face_reader.h` reads.
+/// which `world/face_reader.h` reads. The types are asked in the list's order, and the first whose
+/// `from` takes the input is the face: a special kind stands before a general one.
 ///
 /// Coordinates are those of the portal's frame: x along `right`, y along `up`, z the height over
 /// the plane. Each type has

@@ -23,10 +23,6 @@
 ///       the reflectance factor: pi times the BRDF
 ///   std::optional<BsdfSample> sample(Vec3d normal, Vec3d out, double u1, double u2) const;
 ///       where light comes from that leaves along `out`; nothing if what was drawn is black
-///   Rgb sampled_value(Vec3d normal, Vec3d out, Vec3d in) const;
-///   double density(Vec3d normal, Vec3d out, Vec3d in) const;
-///       of what `sample` draws: its reflectance factor, and the probability per solid angle; both
-///       0 for an exact mirror, all of whose samples are the same
 #pragma once
 
 #include <variant>

@@ -51,12 +51,6 @@ class DiffuseMirror::Here {
     if (!reflection) return std::nullopt;
     return BsdfSample{reflection->direction, reflective_, reflection->weight};
   }
-  [[nodiscard]] Rgb sampled_value(Vec3d normal, Vec3d out, Vec3d in) const {
-    return reflective_ * reflection_value(normal, out, in, roughness_);
-  }
-  [[nodiscard]] double density(Vec3d normal, Vec3d out, Vec3d in) const {
-    return reflection_density(normal, out, in, roughness_);
-  }
 
  private:
   Rgb diffuse_, reflective_;

@@ -34,41 +34,7 @@ Vec3d mirrored(Vec3d incoming, Vec3d normal) {
   return normalize(incoming - normal * (2.0 * dot(incoming, normal)));
 }
 
-/// What a pair of directions asks of the distribution.
-struct Facets {
-  double normals = 0.0;  ///< D of the facets that mirror one into the other; 0: no pair
-  double cos_out = 1.0, cos_in = 1.0;
-  double lambda_out = 0.0, lambda_in = 0.0;
-
-  Facets(Vec3d normal, Vec3d out, Vec3d in, double roughness)
-      : cos_out(dot(normal, out)), cos_in(dot(normal, in)) {
-    const double alpha = roughness * roughness;
-    if (alpha == 0.0 || !(cos_out > 0.0) || !(cos_in > 0.0)) return;
-    const double cos_facet = dot(normal, normalize(out + in));
-    const double bracket = 1.0 + cos_facet * cos_facet * (alpha * alpha - 1.0);
-    normals = alpha * alpha / (std::numbers::pi * bracket * bracket);
-    lambda_out = lambda(cos_out, alpha);
-    lambda_in = lambda(cos_in, alpha);
-  }
-
- private:
-  static double lambda(double cosine, double alpha) {
-    return smith_lambda({std::sqrt(std::max(0.0, 1.0 - cosine * cosine)), 0.0, cosine}, alpha);
-  }
-};
-
 }  // namespace
-
-double reflection_value(Vec3d normal, Vec3d out, Vec3d in, double roughness) {
-  const Facets facets(normal, out, in, roughness);
-  const double seen = 1.0 / (1.0 + facets.lambda_out + facets.lambda_in);
-  return std::numbers::pi * facets.normals * seen / (4.0 * facets.cos_out * facets.cos_in);
-}
-
-double reflection_density(Vec3d normal, Vec3d out, Vec3d in, double roughness) {
-  const Facets facets(normal, out, in, roughness);
-  return facets.normals / ((1.0 + facets.lambda_out) * 4.0 * facets.cos_out);
-}
 
 std::optional<Reflection> reflect(Vec3d incoming, Vec3d normal, double roughness, double u1,
                                   double u2) {

@@ -25,11 +25,4 @@ struct Reflection {
 [[nodiscard]] std::optional<Reflection> reflect(Vec3d incoming, Vec3d normal, double roughness,
                                                 double u1, double u2);
 
-/// The reflectance factor of those mirrors, pi D G2 / (4 cos cos), and the probability per solid
-/// angle with which `reflect` gives `in` for light that leaves along `out`: D G1 / (4 cos). Both 0
-/// for an exact mirror, and where a direction lies below the surface.
-/// @param out,in  unit, away from the surface
-[[nodiscard]] double reflection_value(Vec3d normal, Vec3d out, Vec3d in, double roughness);
-[[nodiscard]] double reflection_density(Vec3d normal, Vec3d out, Vec3d in, double roughness);
-
 }  // namespace portalens

@@ -7,6 +7,7 @@
 
 #include "gravity/mass.h"
 #include "math/pack.h"
+#include "support/list_types.h"
 #include "support/random.h"
 #include "support/scale.h"
 
@@ -16,12 +17,6 @@ namespace {
 template <class L>
 class Laws : public testing::Test {};
 
-template <class Variant>
-struct TypesOf;
-template <class... Types>
-struct TypesOf<std::variant<Types...>> {
-  using type = testing::Types<Types...>;
-};
 TYPED_TEST_SUITE(Laws, TypesOf<Law>::type);
 
 /// The deepest place where light is.

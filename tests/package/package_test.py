@@ -55,6 +55,22 @@ class Package(unittest.TestCase):
                 f"-DCMAKE_PREFIX_PATH={PREFIX}", env=environment)
         succeed(CMAKE, "--build", "build", "--parallel", "2")
 
+    def test_the_program_of_the_page_builds_and_runs_as_it_stands(self):
+        room = ROOM / "page"
+        room.mkdir()
+        page = (pathlib.Path(EXAMPLES).parent / "docs" / "library.md").read_text(encoding="utf-8")
+        for kind, name in (("cmake", "CMakeLists.txt"), ("cpp", "mine.cpp")):
+            text = re.search(rf"```{kind}\n(.*?)```", page, flags=re.S)[1]
+            (room / name).write_text(text, encoding="utf-8")
+        succeed(CMAKE, "-S", room, "-B", room / "build", "-G", GENERATOR,
+                f"-DCMAKE_PREFIX_PATH={PREFIX}", env={**os.environ, "CXX": CXX})
+        succeed(CMAKE, "--build", room / "build")
+        (room / "first.toml").write_text(SCENE, encoding="utf-8")
+        succeed(room / "build" / "mine", cwd=room)
+        self.assertEqual(size_of_png(room / "first.png"), (480, 270))
+        (room / "first.toml").unlink()
+        self.assertEqual(run(room / "build" / "mine", cwd=room).returncode, 1)
+
     def test_a_scene_built_in_code_becomes_a_picture(self):
         told = succeed(ROOM / "build" / "render_in_code", "hole.png")
         self.assertEqual(size_of_png(ROOM / "hole.png"), (96, 54))

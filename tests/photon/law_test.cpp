@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "photon/law_spaces.h"
+#include "support/list_types.h"
 #include "support/random.h"
 #include "support/scale.h"
 
@@ -19,12 +20,6 @@ namespace {
 template <class L>
 class LightUnder : public testing::Test {};
 
-template <class Variant>
-struct TypesOf;
-template <class... Types>
-struct TypesOf<std::variant<Types...>> {
-  using type = testing::Types<Types...>;
-};
 TYPED_TEST_SUITE(LightUnder, TypesOf<Law>::type);
 
 TYPED_TEST(LightUnder, KeepsBouguersInvariantAlongItsWay) {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "support/faces.h"
+#include "support/list_types.h"
 #include "support/random.h"
 #include "support/scale.h"
 
@@ -25,12 +26,6 @@ class EachAperture : public testing::Test {
   }
 };
 
-template <class Variant>
-struct TypesOf;
-template <class... Types>
-struct TypesOf<std::variant<Types...>> {
-  using type = testing::Types<Types...>;
-};
 TYPED_TEST_SUITE(EachAperture, TypesOf<Aperture>::type);
 
 /// How much the outline of a curved aperture lies outside of it, as a share of its size.

@@ -14,14 +14,18 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Smith's masking of GGX, and the share that a rough white mirror gives back, by quadrature over
-/// outgoing directions of D G2 / (4 cos): written from Walter et al. 2007, eq. 33, 34, 20.
+/// Smith's masking of GGX.
 double lambda(double cosine, double alpha) {
   const double tangent2 = (1 - cosine * cosine) / (cosine * cosine);
   return (std::sqrt(1 + alpha * alpha * tangent2) - 1) / 2;
 }
 
-double albedo(double cosine, double alpha) {
+/// Light that comes from all round by a pattern, and what of it a rough white mirror gives back, by
+/// quadrature over its directions of D G2 / (4 cos): written from Walter et al. 2007, eq. 33, 34,
+/// 20.
+/// @param pattern  of a direction; the same for y and -y
+template <class Pattern>
+double reflected(double cosine, double alpha, const Pattern& pattern) {
   const Vec3d out{std::sqrt(1 - cosine * cosine), 0, cosine};
   const int steps = 1000;
   double sum = 0;
@@ -35,7 +39,7 @@ double albedo(double cosine, double alpha) {
       const double bracket = h * h * (alpha * alpha - 1) + 1;
       const double d = alpha * alpha / (pi * bracket * bracket);
       const double g = 1 / (1 + lambda(cosine, alpha) + lambda(in.z, alpha));
-      sum += d * g / (4 * cosine) * std::sin(theta);
+      sum += pattern(in) * d * g / (4 * cosine) * std::sin(theta);
     }
   }
   return sum * 2 * (pi / 2 / steps) * (pi / steps);
@@ -84,16 +88,23 @@ TEST(Reflection, GivesBackNoMoreThanItGets) {
   }
 }
 
-TEST(Reflection, GivesBackTheShareOfItsDistribution) {
+TEST(Reflection, GivesBackWhatItsDistributionSays) {
+  const auto even = [](Vec3d) { return 1.0; };
+  const auto uneven = [](Vec3d w) { return 0.2 + 0.5 * w.x + (w.z > 0.6 ? w.y * w.y : 0.0); };
+  const auto expect_share_of = [](const auto& pattern, double roughness, double cosine) {
+    const Vec3d out{std::sqrt(1 - cosine * cosine), 0, cosine};
+    const auto share = test::estimate(test::scaled(20000), [&](std::uint64_t i) {
+      const auto r = reflect(-out, {0, 0, 1}, roughness, random_number(i, 0), random_number(i, 1));
+      return r ? r->weight * pattern(r->direction) : 0.0;
+    });
+    EXPECT_NEAR(share.mean, reflected(cosine, roughness * roughness, pattern),
+                4 * share.error + 1e-3)
+        << roughness << " " << cosine;
+  };
   for (const double roughness : {0.5, 0.8, 1.0}) {
     for (const double cosine : {0.2, 0.6, 0.95}) {
-      const Vec3d in{std::sqrt(1 - cosine * cosine), 0, -cosine};
-      const auto share = test::estimate(test::scaled(20000), [&](std::uint64_t i) {
-        const auto r = reflect(in, {0, 0, 1}, roughness, random_number(i, 0), random_number(i, 1));
-        return r ? r->weight : 0.0;
-      });
-      EXPECT_NEAR(share.mean, albedo(cosine, roughness * roughness), 4 * share.error + 1e-3)
-          << roughness << " " << cosine;
+      expect_share_of(even, roughness, cosine);
+      expect_share_of(uneven, roughness, cosine);
     }
   }
 }
