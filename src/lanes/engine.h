@@ -28,8 +28,8 @@ void advance(const PlannedSpace& space, std::span<const Photon> photons,
 /// Why it does not, as a `LaneChoice` says it; empty where it does.
 [[nodiscard]] std::string why_no_lanes(const PlannedSpace& space, Engine engine);
 
-/// The same in lanes, with the path records of the first photons in few words.
-/// @param records  what they told before is forgotten
+/// Advances photons in lanes, and records the paths of the first of them.
+/// @param records  of the first photons; what they held before is overwritten
 /// @pre takes_lanes(space, Engine::automatic), records.size() <= photons.size()
 void advance_with_records(const PlannedSpace& space, std::span<const Photon> photons,
                           std::span<Arrival> arrivals, std::span<PathRecord> records);

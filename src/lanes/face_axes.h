@@ -48,9 +48,9 @@ struct LocalPath {
   }
 };
 
-/// The square of the distance, along a path, from a face, less that of its reach: from the held
-/// feature where it acts, else from the nearest, whichever that is there: it jumps where a path
-/// comes from behind the face to before it.
+/// The square of a path's distance from a face, less that of the face's reach. Where the face acts,
+/// it is the distance from the feature held over the step; elsewhere from the nearest feature at
+/// each place, and jumps where the path passes the face's plane from behind.
 template <class R, class Face, class Nearest>
 struct LaneApart {
   const Face& face;  ///< has `reach2`

@@ -146,7 +146,7 @@ struct LaneMasses {
     }
   }
 
-  /// Only through portals may light come near a mass that has no horizon there.
+  /// No lane: `LaneMeetings::find_horizons` checks the masses of this field itself.
   [[nodiscard]] static typename R::Mask too_near(Vec3<R>) { return R(1) < R(0); }
 
   /// Borders are found however far off they are: where nothing acts, straight flights end there.
@@ -173,9 +173,10 @@ struct LaneMasses {
             (subtract_product(squares[i], ahead, ahead) < aside * aside));
   }
 
-  /// True only where the path passes the border of an influence not before its last two `over`,
-  /// as steps do that were to end there. Where it bends less than a circle about the middle would,
-  /// the square of the distance from there is convex along it, and its second derivative below 4.
+  /// True only where the path does not pass the border of an influence before its last 2 `over`; a
+  /// step that was to end at the border passes it there. Where the path bends less than a circle
+  /// about the middle would, the square of the distance from there is convex along it, and its
+  /// second derivative below 4.
   [[nodiscard]] typename R::Mask passes_none_sooner(const LanePath<R>& path, R over, int i) const {
     const LaneMass& mass = scene.masses[i];
     const Vec3<R> last = path.end.position - spread<R>(mass.center);

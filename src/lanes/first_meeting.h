@@ -65,8 +65,8 @@ struct FirstMeeting {
                                    const Square& square) {
     const auto excess = square();
     if (any(grazes)) offer_graze(grazes, within, excess, span);
-    // Past its plane a face is at once nearer: there a search for where the distance passes the
-    // reach ends too early or too late.
+    // Where the path passes the face's plane from behind, the distance falls at once: a search for
+    // where it equals the reach may end too early or too late, so the plane is offered, too.
     if constexpr (requires { excess.plane(); }) offer(toggles & !within, excess.plane(), span);
     if (any(toggles)) miss(toggles & !offer(toggles, excess, span), span);
   }

@@ -39,9 +39,10 @@ class LaneGateChanges : public LaneGateDecisions<R, Nearest> {
   using Base::sway_of;
 
  private:
-  /// Of each gate, false only where all that was decided about it holds along the path; whether
-  /// there is a lane where it is not.
+  /// Sets `may[g]` to the lanes in which something that was decided about gate g may cease to hold
+  /// along the path.
   /// @param end  where the path ends, nearly
+  /// @return whether there is such a lane
   [[nodiscard]] bool may_change_gates(Mask* may, Mask which, const LanePath<R>& path,
                                       Vec3<R> end) const {
     R qx[max_lane_gates], qy[max_lane_gates], sway_x[max_lane_gates], sway_y[max_lane_gates];

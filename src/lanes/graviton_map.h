@@ -33,7 +33,7 @@ class LaneGravitonMap {
       const Mask near = dx * dx + dy * dy + local.z * local.z < R(map.face.reach2);
       acts_[k] = select(near, R(1), R(0));
       acting_ = acting_ | near;
-      // Steps may run to the nearest cell where they must end; one of those they don't leave.
+      // A step may run up to the nearest sharp cell; one that begins in a sharp cell ends with it.
       const Cell cell = cell_of(map, Spot(map, x, y));
       const R back = max(cell.to_sharp - R(1), R(0)), on = max(cell.to_sharp, R(1));
       low_x_[k] = R(map.low_x) + (cell.i - back) * R(map.spacing_x);

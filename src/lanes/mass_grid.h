@@ -1,5 +1,5 @@
 /// \file
-/// The masses of many masses, and the grid by which lanes find those near them.
+/// More masses than `LaneMasses` holds, and the grid by which lanes find those near them.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ class MassGrid {
   [[nodiscard]] LaneManyMasses view() const;
 
  private:
-  /// The cubes from `low` to `high` on one axis that a ball may meet.
+  /// The cubes that a ball may meet: from `low` to `high` on each of the three axes.
   struct Range {
     int low[3], high[3];
     [[nodiscard]] double volume() const;
@@ -36,7 +36,7 @@ class MassGrid {
   void for_each_cell(const LaneMass& mass, const Callback& callback) const;
 
   std::vector<LaneMass> masses_;
-  double low_[3] = {}, size_ = 1.0, slack_ = 0.0;
+  double low_[3] = {}, size_ = 1.0;
   int cells_[3] = {};
   std::vector<std::uint32_t> begins_, which_;
   std::vector<float> x_, y_, z_, reach2_;

@@ -122,8 +122,9 @@ struct LaneOutlineNearest : LaneLinearNearest<R> {
   /// vertex, the same along the edge after it, below 0, and how far beyond the one before it.
   LaneLine<R> along, out;
   R size;    ///< 0 of a vertex
-  R beyond;  ///< of the heights over `out` from which it is nearest
-  /// 1 inside the outline, and there behind the plane, else 0. There `out` is the nearest edge's.
+  R beyond;  ///< it is nearest only where the height over `out` is above this
+  /// `within` is 1 inside the outline, `behind` 1 inside it and behind the plane; else they are 0.
+  /// Inside, `out` is that of the nearest edge.
   R within, behind;
 
   /// @param gate  has `outline`, and `tolerance`: heights down to minus this count as in front

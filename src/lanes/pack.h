@@ -79,8 +79,8 @@ class LanePack {
     return bits(event > R(0));
   }
 
-  /// Which paths have drifted too far. One may until it is known where it leads: one that is
-  /// swallowed tells no direction.
+  /// Which paths have drifted too far. `max_drift` holds only where the step ends in an event other
+  /// than a horizon; until then `max_absorbed` does, for an absorbed path tells no direction.
   [[nodiscard]] Mask has_drifted(R drifted, R event) const {
     const Mask tells = (event > R(0)) & !(event == code(LaneEvent::horizon));
     return drifted > select(tells, read(&Lanes::max_drift), R(scene_.max_absorbed));
@@ -89,8 +89,8 @@ class LanePack {
   [[nodiscard]] static R code(LaneEvent event) { return R(static_cast<int>(event)); }
 
  private:
-  /// Of a float, ten times: its errors are what they are, those of steps are far below what is
-  /// estimated of them.
+  /// Ten times a float's rounding: the estimates of steps' errors are far above the errors, and
+  /// this one is to be so, too.
   static constexpr double rounding = 6e-7;
 
   [[nodiscard]] R add(LaneRow row, Mask stays, R more) const {

@@ -23,7 +23,8 @@ constexpr double longest_in_lanes = 0.648 / 0.6498;
 /// Lanes find the borders of what comes through portals less exactly than the scalar engine: there
 /// no step may be as long, as a share of the longest elsewhere.
 constexpr double longest_with_portals = 0.85;
-/// The isolated masses, and all others that pull: of many masses, all are those.
+/// Splits the masses into isolated ones and others that pull. Of more masses than lanes hold one by
+/// one, none counts as isolated.
 void choose_masses(const Space& space, double graze, LanePlan& plan) {
   if (space.masses.size() <= max_lane_masses + max_lane_isolated_masses)
     plan.isolated = isolated_masses(space, graze, max_lane_isolated_masses);

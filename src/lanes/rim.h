@@ -16,8 +16,8 @@ template <class R>
 struct LaneRim {
   using Mask = typename R::Mask;
 
-  /// How far a passage is from another: lengths, which change by no more than the place does, and
-  /// by twice that.
+  /// How far a passage is from changing, as lengths. Where the place moves by d, `beyond` changes
+  /// by at most d, and `lead` by at most 2 d.
   struct Margin {
     R beyond;  ///< how much longer than the influence it is
     R lead;    ///< how much shorter than that over another feature of the rim

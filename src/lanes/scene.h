@@ -64,7 +64,7 @@ inline constexpr int max_lane_own = 63;
 /// More masses than `max_lane_masses`, and where they act or absorb: a grid of cubes, each with
 /// the balls that meet it.
 struct LaneManyMasses {
-  int count;  ///< of the masses; 0 where there is no many masses
+  int count;  ///< of the masses; 0 where `LaneScene::masses` holds all
   const LaneMass* masses;
   int cells_x, cells_y, cells_z;
   LaneVec low;
@@ -206,7 +206,7 @@ struct LaneBox {
 };
 
 struct LaneScene {
-  int law;            ///< its place in the list, of laws that are not uniform
+  int law;            ///< index of the scene's law in `Law`
   bool fading;        ///< some gate has a mass that fades, or falls short
   bool bare_through;  ///< some gate or path has a `bare2`
   int mass_count, gate_count, map_count, entrance_count, way_count, portal_count, outline_count,
@@ -230,8 +230,8 @@ struct LaneScene {
   LaneEntrance entrances[max_lane_portals];
   LaneWay ways[max_lane_ways];
   LanePortal portals[max_lane_portals];
-  /// One for each portal, or none where all are rectangles.
   bool all_convex;  ///< all outlines are polygons, and convex
+  /// One for each portal, or none where all are rectangles.
   LaneOutline outlines[max_lane_portals];
   LanePolygon polygons[max_lane_polygons];
   LaneSphere spheres[max_lane_spheres];
@@ -241,7 +241,7 @@ struct LaneScene {
 
 inline constexpr int first_isolated_object = max_lane_masses;
 inline constexpr int first_many_object = first_isolated_object + max_lane_isolated_masses;
-/// Planes that photons leave and in which portals or several faces lie count downwards from there.
+/// In `Lanes::departed` planes in which a portal or several faces lie count downwards from this.
 inline constexpr int first_departed_plane = -2;
 
 /// What a lane's step ended in.

@@ -14,9 +14,9 @@ template <class R>
 struct LaneSimpleNearest : LaneLinearNearest<R> {
   using Mask = typename R::Mask;
 
-  /// -1: the inside; 2k: where edge k begins; 2k + 1: edge k; right behind the face so much more.
-  /// What comes out of there has passed the face's inside, though the same edge may be nearest
-  /// again.
+  /// -1: the inside; 2k: the vertex where edge k begins; 2k + 1: edge k. Right behind the face
+  /// `right_behind` is added, so that to leave that region counts as a change even where the same
+  /// edge is nearest afterwards.
   R feature;
   static constexpr float right_behind = 64.0f;
   R distance_to_discontinuity;  ///< within this distance the nearest point does not jump
@@ -133,7 +133,7 @@ struct LaneSimpleNearest : LaneLinearNearest<R> {
   }
 };
 
-/// Of what need not be convex no straight path tells where it comes nearer.
+/// True everywhere: what `stays_out_of` takes for granted elsewhere holds for convex faces only.
 template <class R, class Gate>
 [[nodiscard]] typename R::Mask is_behind(const Gate&, const LaneSimpleNearest<R>&, Vec3<R>) {
   return R(0) < R(1);

@@ -163,7 +163,7 @@ class LaneStepper {
   [[nodiscard]] Mask must_resign(const F& field, const BendingOf<R>& start, V x, R most,
                                  Mask flies) const {
     const Mask winds = pack_.read(&Lanes::steps) > R(max_lane_steps);
-    // Steps as short as borders are found exactly have no place here.
+    // Borders are exact to `overshoot` only: steps hardly longer are left to the scalar engine.
     Mask crawls = (most < R(4) * R(scene_.overshoot)) & !flies;
     if constexpr (!F::Weight::uniform) crawls = crawls & !(start.sinking > R(0));
     return winds | field.too_near(x) | crawls;
@@ -229,8 +229,8 @@ class LaneStepper {
     if (!any(which)) return;
     const R over(scene_.overshoot);
     FirstMeeting<R> first;
-    // What steps of a few borders' slack run over was decided past it, and so is what they meet
-    // soon.
+    // Decisions are made slightly ahead of the start: a step that is hardly longer than that, or
+    // that meets something so soon, needs no search.
     const Mask soon = (found.share <= R(1)) & (path.met * path.h < R(8) * R(scene_.ahead));
     field.find_changes(first, which & (path.h > R(8) * over) & !soon, path, over);
     doubtful = doubtful | first.missed;

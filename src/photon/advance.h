@@ -47,9 +47,10 @@ class Tracer : public Traveller {
     return found;
   }
 
-  /// A photon that drifts too far in steps of the scene's tolerance: near capture, and where it is
-  /// led through portals many times, a path magnifies every error made on it.
-  /// @param coarse  what it is without; nothing where coarse steps were no use elsewhere
+  /// Follows a photon that drifted too far again, at smaller and smaller tolerances: near capture,
+  /// and where it is led through portals many times, a path magnifies every error made on it.
+  /// @param coarse  the arrival at the scene's tolerance; nothing where lanes have tried finer
+  ///                steps in vain: then it begins at a hundredth of the tolerance
   [[nodiscard]] Arrival advance_finer(const Photon& photon, PathTrace* path_trace,
                                       std::optional<Arrival> coarse) {
     const Physics& physics = space_.physics;
@@ -195,7 +196,7 @@ class Tracer : public Traveller {
       if (bending_.nearness == 0.0) h = space_.extent / 64.0;
       h = std::fmin(h, longest_);
     }
-    // The path may bend out of its length by a little, its polynomial by some more.
+    // With half a length to spare: the step's polynomial may leave the ball of radius h.
     vicinity_.cover(ray_state_.state.position, 1.5 * std::fmin(h, longest));
     if constexpr (!I::fixed_step) h = std::fmin(h, straight_exit());
     return std::fmin(std::fmax(h, shortest()), longest);

@@ -13,11 +13,11 @@ namespace {
 
 /// How often a section of a beam is halved that comes near an obstacle.
 constexpr int max_halvings = 5;
-/// How far off a border may still be felt, in radii of the beam: as far as the probe rays lie that
-/// the light between the path records is told by.
+/// How far from the beam a border still matters, in radii of the beam: the probe rays from which
+/// the light between the path records is interpolated lie that far away.
 constexpr double border_reach = 3.0;
-/// Where light turns by fewer tolerances more than light that stays out, a border is smooth enough:
-/// a polynomial through its neighbours errs by a twentieth of that.
+/// In tolerances: where light that enters an influence turns by less, its border is smooth enough,
+/// for a polynomial across it errs by a twentieth of that.
 constexpr double least_felt = 20.0;
 
 /// Whether the whole segment lies on one side of the quad's plane, further away than that.
@@ -84,8 +84,9 @@ void BeamGuard::add(const Shape* shape, Vec3d center, double radius, Met kind,
   obstacles_.push_back({shape, center, radius, near_center, near_radius, kind, index, place});
 }
 
-/// On a plane the paths arrive from as far as they come slanting to it, if they have sunk for as
-/// long: who skims over it first may meet it there.
+/// Whether the section already descends to the plane on which the paths end: no higher over it than
+/// the beam is wide, and at least half as steeply as at the end. Light that only skims the plane
+/// before that may hit it there.
 bool BeamGuard::sinks(const Obstacle& obstacle, const BeamSection& section,
                       const BeamSection& final) {
   const auto* quad = obstacle.shape ? std::get_if<Quad>(obstacle.shape) : nullptr;
@@ -182,8 +183,8 @@ bool BeamGuard::along_border(std::span<const BeamSection> beam, bool escapes) co
   return false;
 }
 
-/// Whether it could be felt that light enters an influence, or does not, no further from its border
-/// than the probe rays of a beam of that radius lie.
+/// Whether light that dips into an influence no deeper than the probe rays of a beam of that radius
+/// lie from its border may turn by more than `least_felt` tolerances.
 bool BeamGuard::is_felt(const Mass& mass, double widest) const {
   const double radius = mass.influence;
   if (std::isinf(radius) || mass.gm == 0.0) return false;

@@ -107,8 +107,8 @@ void Beam::add(Reached from, Reached to, float turning, float from_radius, float
   section.last = last;
 }
 
-/// What a stretch begins or ends at, its beam touches there: on as much of the path as the places
-/// lie apart where the four paths come from it, or meet it.
+/// Marks the sections in which a stretch leaves the face where it begins, or meets the face where
+/// it ends. The four paths do so at different lengths, up to the beam's width apart.
 void Beam::mark_ends() {
   for (std::size_t i = 0; i < count_;) {
     std::size_t end = i;

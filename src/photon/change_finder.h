@@ -98,8 +98,8 @@ class ChangeFinder {
     return 0.5 * (low + high);
   }
 
-  /// The same for the coupling, before `end`: as its boundaries are at least
-  /// `distance_to_discontinuity` away, the next place to look is.
+  /// The same for the coupling, before `end`. None of its boundaries is nearer than
+  /// `distance_to_discontinuity`, so the next place to look at is that far on.
   [[nodiscard]] double grazed_coupling(const Curve& curve, double end, double margin) const {
     if (std::isinf(surroundings_.distance_to_support)) return end;
     double least = std::fmax(margin, 1e-3 * curve.length());

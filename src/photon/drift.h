@@ -30,11 +30,11 @@ struct Drift {
 /// drift by far less than they may. Measured on random scenes (docs/differential.md).
 inline constexpr double trusted_drift = 8.0;
 
-/// A path that has drifted by more than that in lanes, radians, is taken again there in finer
-/// steps, and then by the scalar engine. The drift overestimates what comes of many steps about one
-/// mass; of a few about one that others magnify, it is nearer to the truth: of paths that had
-/// drifted by 20 to 40 tolerances of 1e-4, 1 of 14 was off by over one about up to 3 masses, about
-/// 4 to 12 of them nearly every other. So it is of finer steps.
+/// The drift in lanes, radians, above which a path is taken again: there in finer steps, then by
+/// the scalar engine. The drift overestimates the error of many steps about one mass, but hardly
+/// that of a few steps whose errors further masses magnify. Of paths that had drifted by 20 to 40
+/// tolerances of 1e-4, 1 of 14 was off by more than one tolerance about up to 3 masses, and nearly
+/// 1 of 2 about 4 to 12. With finer steps, too, the drift is nearer to the error.
 [[nodiscard]] inline double trusted_drift_in_lanes(int masses, double tolerance) {
   const double tolerances = masses > 3 ? 10.0 : 40.0;
   return tolerances * tolerance * std::sqrt(std::fmin(tolerance / 1e-4, 1.0));

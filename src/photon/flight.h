@@ -10,8 +10,8 @@
 
 namespace portalens {
 
-/// Where between two places of a straight flight something begins to act, or the latter: at the
-/// edge of a coupling that is not yet felt at least that far.
+/// Where something begins to act on a straight flight between `low` and `high`, by bisection;
+/// `high` if nothing acts there yet, since `free_flight` stops short of where a coupling acts.
 template <class F>
 [[nodiscard]] double onset(const Space& space, const F& field, Vicinity& vicinity, const Ray& ray,
                            double low, double high) {

@@ -63,7 +63,7 @@ struct Depth {
   }
 };
 
-/// As of one horizon, of the surface where w is the greatest.
+/// As `contact`, with the surface on which w is the law's `greatest_potential`.
 std::optional<HorizonContact> deepest_contact(const Space& space,
                                               std::span<const std::uint32_t> near,
                                               const Curve& curve) {

@@ -4,8 +4,9 @@
 /// Each type has
 ///   static constexpr std::string_view name;      as `physics.integrator` spells it
 ///   static constexpr bool fixed_step;            true: steps of `length`, discontinuities ignored;
-///                                                false: `propose(stiffness, nearness)` tells the
-///                                                step
+///                                                false: `propose`, `roughness`, `longest_after`,
+///                                                `smooth` and `roughest` choose and judge steps,
+///                                                as in `Radau`
 ///   static constexpr bool straight_pieces;       the path between two steps is a straight line
 ///   static T from(const IntegratorSettings&);
 ///   static StepResult step(acceleration, State, start_acceleration, h);

@@ -8,10 +8,10 @@ namespace {
 /// What the pull of portals does from here to infinity, on a straight path; nothing if that can't
 /// be told to a small share of the tolerance.
 ///
-/// All of it points to the portals, and falls off with the square of the length of paths that lead
-/// through them, which are longer than the distance r by less than `size`. So each part does
-/// r/(1 + outward) times what of it turns, as that of a mass would, with an error of a share
-/// size/r; and no part turns by more than a share size/r of itself.
+/// All of it points to the portals, and falls off with the square of the length of the paths
+/// through them, which exceeds the distance r by less than `size`. So it turns light as the pull of
+/// a mass there would: by its part across the path times r/(1 + outward), with a relative error of
+/// size/r. That part is at most a share size/r of the pull.
 std::optional<Vec3d> kick_through_portals(const Space& space, const State& state, Vec3d pull,
                                           Vec3d gates) {
   const Physics& physics = space.physics;

@@ -22,8 +22,8 @@ struct Waypoint {
   std::int32_t stretch = 0;  ///< how many portals were crossed before
 };
 
-/// A path written down while it was gone; where it ran off to the sky, until there is nothing more
-/// that could be met.
+/// A path, recorded while its photon was followed; of a photon that escaped, up to where nothing
+/// more could be met.
 class PathRecord {
  public:
   static constexpr std::size_t max_points = 64;

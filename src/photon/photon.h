@@ -38,7 +38,7 @@ struct Arrival {
   std::uint32_t face = 0;
   std::uint32_t handed_over = 0;  ///< steps that the scalar engine took for the lanes
   Vec3d position, direction;      ///< in the coordinates of where it ended
-  Rgb tint{1, 1, 1};              ///< product of the tints of the fronts it crossed
+  Rgb tint{1, 1, 1};              ///< product of the tints of the portals it crossed
   double length = 0.0;            ///< arc length from its start
   double turning = 0.0;           ///< ∫ |dt/ds| ds, radians
   std::uint32_t steps = 0;

@@ -52,9 +52,9 @@ constexpr Weights to_nodes(const Integral& integral, bool from_all) {
   return weights;
 }
 
-/// The second node's place follows from the first value alone, with an error in h³. That the
-/// third's, which follows from two, errs the other way by as much as makes what the end gets of
-/// both vanish, raises the order from 3 to 4.
+/// The place of node 1 follows from the value at node 0 alone, with an error of order h³. That of
+/// node 2 is shifted so that its error is opposite, and both errors cancel in the direction at the
+/// end: that raises the order from 3 to 4.
 constexpr Weights place_weights() {
   Weights weights = to_nodes(twice, false);
   const auto cube = [](double u) { return u * u * u; };
@@ -101,8 +101,8 @@ template <class Real, class... More>
 template <class Real>
 struct Bends {
   Vec3<Real> at[4];
-  /// Of the last node, where the values before it foresaw it, and how far from the direction that
-  /// they foresaw all values turn it.
+  /// At the last node: its place as predicted from the values before it, and how far the direction
+  /// that follows from all four values is from the predicted one.
   Vec3<Real> foreseen, turned;
 
   [[nodiscard]] Vec3<Real> sum(const std::array<double, 4>& weights) const {
@@ -171,10 +171,10 @@ struct Radau {
     return {dot(third, third), turn, dot(missed, missed), dot(bends.turned, bends.turned)};
   }
 
-  /// How rough a step is: it errs by its share of the tolerance where that is 1, and by as much
-  /// more as the power 7/6 says. Of two parts: how well the quadrature follows the field is told by
-  /// the last coefficient of the polynomial through its four values, which falls with h³ where the
-  /// field is smooth; what the path's own bend feeds back, by what was foreseen of the last node.
+  /// The roughness of a step: 1 where its error is its share of the tolerance; the error grows as
+  /// the power 7/6 of it. It is the larger of two estimates: of the quadrature's error, from the
+  /// cubic coefficient of the polynomial through the four values, which falls with h³ where the
+  /// field is smooth; and of what the path's own bend feeds back, from the last node's prediction.
   /// @param pull2     square of the length of the acceleration at the start, 1/length²
   /// @param gradient  of the acceleration, 1/length²
   template <class Real>
@@ -271,8 +271,8 @@ struct Radau {
   static constexpr double longest_power = 0.16;
   /// κ at a tolerance of 1e-4.
   static constexpr double third_share = 0.42;
-  /// What is fed back at a roughness of 1 is twice the tolerance, were it all error; and the
-  /// square of the share of a direction's. Measured on random scenes (docs/differential.md).
+  /// At a roughness of 1 what is fed back is twice the tolerance, were it all error. The second is
+  /// the square of the direction's weight in it. Measured on random scenes (docs/differential.md).
   static constexpr double feedback_share = 0.5;
   static constexpr double direction_share2 = 0.04;
 };

@@ -16,10 +16,10 @@ using State = StateOf<double>;
 /// By how much the parts of a step disagree, from which an adaptive integrator judges it.
 template <class Real>
 struct StepDoubt {
-  Real uneven2{};  ///< square of what the field along it has of the third order, radians²
-  Real turn{};     ///< the most that it turns by, were its strongest bend to last, radians
-  Real missed2{};  ///< of how far its last node lies from the place foreseen for it, length²
-  Real turned2{};  ///< and its direction from that which was foreseen, radians²
+  Real uneven2{};  ///< square of its length times the cubic coefficient of dt/ds, radians²
+  Real turn{};     ///< its length times its strongest bend, radians: about the most that it turns
+  Real missed2{};  ///< square of the distance of its last node from the predicted place, length²
+  Real turned2{};  ///< square of how far the direction there is from the predicted one, radians²
 };
 
 template <class Real>

@@ -20,8 +20,8 @@ Vec3d unit(Vec3d a) {
   return std::fabs(square - 1.0) < 1e-5 ? a * (1.5 - 0.5 * square) : a * inverse_sqrt(square);
 }
 
-/// How much the square of what a path turns counts beside that of where it leads: it is told, but
-/// moves no light.
+/// The weight of the turning beside the direction, in the square of a third difference: the turning
+/// is only reported, and moves no light.
 constexpr float turning_counts = 1.0f / 4.0f;
 
 /// The largest third difference of directions, in tolerances. Of a smooth function the polynomial
@@ -104,7 +104,8 @@ double Bicubic::through(const Space& space, const ProbeRays& probe_rays, const P
     const double aside = largest_third(
         [&](std::size_t n) { return values[n].place; },
         [&](Four third) { return std::sqrt(square(third)) + reach * std::fabs(third[3]); });
-    // A miss counts in pixels of where the light came from; to the sky only its direction does.
+    // The miss of a hit is measured in widths of a pixel at that length; in the sky only the
+    // direction counts.
     const double share = aside / (most * (pixel.angle * model.length + pixel.aside));
     roughness = share <= roughness ? roughness : share;
   }

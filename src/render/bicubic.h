@@ -35,10 +35,12 @@ class Bicubic {
   /// rays
   explicit Bicubic(NodeStep aside) : aside_(aside) {}
 
-  /// Puts the polynomial through the probe rays, if it may be used: if their third differences are
-  /// no larger than those of a function that is such a polynomial but for hundredths of a pixel.
-  /// @param most  third difference, pixels; of directions also no more than the tolerance allows
-  /// @return the largest one, as a multiple of `most`; beyond `given_up` some that is not smaller
+  /// Puts the polynomial through the probe rays if their third differences are so small that it
+  /// errs by hundredths of a pixel.
+  /// @param most  the largest third difference, pixels; that of directions is held to the tolerance
+  ///              besides
+  /// @return the largest third difference, as a multiple of `most`; above 1 the polynomial may not
+  ///         be used. If it is above `given_up`, some value above that
   /// @pre the probe rays met the same, and `can_tell` says so of them
   double through(const Space& space, const ProbeRays& probe_rays, const PixelSpan& pixel,
                  double most, double given_up);
@@ -69,9 +71,10 @@ class Bicubic {
   [[nodiscard]] static Values value(const Cubic& cubic, float at);
 
   NodeStep aside_;
-  Arrival model_;                   ///< one of the probe rays
-  const Sphere* sphere_ = nullptr;  ///< that it is on
-  /// By the share of the cell from the left, and their coefficients by that from above.
+  Arrival model_;                   ///< one of the probe rays; all values are relative to it
+  const Sphere* sphere_ = nullptr;  ///< that the probe rays hit, if it is one
+  /// Element k is the coefficient of uᵏ, as a cubic in v: shares of the cell, from its left and its
+  /// upper edge.
   std::array<Cubic, 4> cubics_;
 };
 

@@ -13,7 +13,7 @@
 namespace portalens {
 namespace {
 
-/// Names of objects, materials and lights that are written out one by one, at most.
+/// The most values of objects, materials and lights that are listed one by one.
 constexpr std::size_t max_entries = 2000;
 
 std::string value_text(const Value& value) {

@@ -1,6 +1,6 @@
 /// \file
-/// What decides a picture's bits, in words: two partial pictures of work belong to the same picture
-/// if they have the same fingerprint, and where they differ it says in what.
+/// Everything that decides a picture's bits, as names and values. Two partial pictures belong to
+/// the same picture if their fingerprints are equal; if not, the fingerprints name each difference.
 #pragma once
 
 #include <string>

@@ -32,7 +32,7 @@ struct PartialRefusal {
   std::string problem, remedy = "it was damaged; use another copy, or take it anew";
 };
 
-/// @throws PieceRefusal if it does not hold
+/// @throws PartialRefusal if the condition does not hold
 inline void require_of_partial(bool condition, const char* problem) {
   if (!condition) throw PartialRefusal{problem};
 }
@@ -40,8 +40,8 @@ inline void require_of_partial(bool condition, const char* problem) {
 [[nodiscard]] std::string encoded_head(const Provenance& provenance, const Assignment& assignment,
                                        const Account& account);
 
-/// From all of the bytes, and no others: `encoded_head` makes the same of it.
-/// @throws PieceRefusal
+/// Decodes all of the bytes; `encoded_head` of the result gives the same bytes.
+/// @throws PartialRefusal if they are no sound head
 [[nodiscard]] PartialHeader decoded_head(std::string_view bytes);
 
 /// Bytes of the pixels that stand.

@@ -116,14 +116,14 @@ class TileTaker {
     room_->lost_places.clear();
     send_camera_photons(count);
     bool from_camera = true;
-    const auto ray_state = [&](std::span<const Photon> photons, std::span<Arrival> arrivals) {
+    const auto advance_wave = [&](std::span<const Photon> photons, std::span<Arrival> arrivals) {
       if (std::exchange(from_camera, false) && room_->sampling_grid)
         room_->sampling_grid->advance(room_->places, arrivals, tally);
       else
         advance(world_.space, photons, arrivals, shared_.engine);
     };
     carry_light(world_.space, world_.appearance, std::span(room_->photons).first(count),
-                room_->carried, room_->light, ray_state, tally, &room_->lost);
+                room_->carried, room_->light, advance_wave, tally, &room_->lost);
     for (const std::uint32_t i : room_->lost) room_->lost_places.push_back(place(done_ + i));
     keep_first(room_->lost_places);
     expose_samples();

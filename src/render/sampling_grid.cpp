@@ -28,11 +28,11 @@ double max_third_difference(const Space& space, int stride) {
   return stride == coarse ? 3.5 : stride == 1 ? 9.0 : 4.5;
 }
 
-/// As much of that where the probe rays lie aside: beyond the inner four a polynomial is worth
-/// less.
+/// The share of that which is allowed where the probe rays lie aside: outside of its inner four
+/// nodes a polynomial is less exact.
 constexpr double share_aside = 0.55;
-/// Of a third difference to that of probe rays half as far apart: about 8, and more where it
-/// changes.
+/// The ratio of a third difference to that of probe rays half as far apart, at the most: about 8
+/// where it is even, and more where it changes.
 constexpr double by_halving = 20.0;
 /// Coarse cells that are decided together, about: their probe rays fill the lanes.
 constexpr int cells_at_once = 96;
@@ -169,8 +169,8 @@ void SamplingGrid::want_probe_rays(bool finest) {
 void SamplingGrid::send_probe_rays(Tally& tally) {
   aims_.clear();
   want_probe_rays(false);
-  // The smallest cells are parts of clear ones: nobody looks for obstacles again, and who meets no
-  // portal has nothing to tell of its path.
+  // The smallest cells are quarters of clear cells, so the guard needs no path records of theirs.
+  // Without portals in the scene nothing else does.
   const std::size_t silent_from = aims_.size();
   want_probe_rays(true);
   const std::size_t first = probe_rays_.size(), count = aims_.size();

@@ -64,13 +64,13 @@ struct WaveRoom {
 /// A sample's light is added in order of wave, and within one first what its photon saw, then its
 /// shadow queries in their order; so its sum does not depend on which other photons travel along.
 /// In the end each light is made presentable; those that were not are counted.
-/// @param room    what is in it does not matter
-/// @param ray_state  advances photons to their arrivals: called as `ray_state(photons, arrivals)`
-/// @param lost    if given, gets the sample of each photon that is lost, and of light not a number
+/// @param room     what is in it does not matter
+/// @param advance  takes photons to their arrivals: called as `advance(photons, arrivals)`
+/// @param lost     if given, gets the sample of each photon that is lost, and of light not a number
 /// @pre every photon's sample < light.size(), and no two photons have the same
-template <class RayState>
+template <class Advance>
 void carry_light(const Space& space, const Appearance& appearance, std::span<const Photon> first,
-                 WaveRoom& room, std::span<Rgb> light, const RayState& ray_state, Tally& tally,
+                 WaveRoom& room, std::span<Rgb> light, const Advance& advance, Tally& tally,
                  std::vector<std::uint32_t>* lost = nullptr) {
   // So few that what shading gives stays in the nearest cache until it is used.
   constexpr std::size_t max_photons = 256, max_queries = std::size_t{1} << 16;
@@ -86,7 +86,7 @@ void carry_light(const Space& space, const Appearance& appearance, std::span<con
   while (!wave.empty()) {
     arrivals.resize(wave.size());
     Stopwatch watch;
-    ray_state(wave, std::span<Arrival>(arrivals));
+    advance(wave, std::span<Arrival>(arrivals));
     tally.advancing += watch.lap();
     secondary.clear();
     for (std::size_t begin = 0; begin < wave.size(); begin += slice) {
