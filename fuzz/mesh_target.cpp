@@ -16,7 +16,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::size_t begin = std::min(end + mark.size(), text.size());
   folder.write("m.mtl", std::string(text.substr(begin)));
   Faults faults;
-  fuzz::check_mesh(read_mesh(folder.write("m.obj", std::string(text.substr(0, end))), {}, faults));
+  fuzz::check_mesh(read_mesh(folder.write("m.obj", std::string(text.substr(0, end))), {},
+                             FileMaterials::read, faults));
   try {
     faults.raise();
   } catch (const SceneError& error) {

@@ -9,6 +9,19 @@ constexpr std::string_view space = " \t\r\f\v";
 
 }  // namespace
 
+bool is_utf16(std::string_view text) {
+  if (text.size() < 2) return false;
+  const std::string_view begin = text.substr(0, 2);
+  return begin == "\xff\xfe" || begin == "\xfe\xff" || (begin[0] == '\0') != (begin[1] == '\0');
+}
+
+std::string in_small_letters(std::string_view word) {
+  std::string small(word);
+  for (char& letter : small)
+    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+  return small;
+}
+
 LineReader::LineReader(std::string_view text) : text_(text) {
   constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
   if (text_.substr(0, byte_order_mark.size()) == byte_order_mark) at_ = byte_order_mark.size();
@@ -42,14 +55,14 @@ void LineReader::split(std::string_view text) {
   }
 }
 
-std::string LineReader::rest() const {
-  if (words_.size() < 2) return {};
+std::string LineReader::rest(std::size_t from) const {
+  if (words_.size() <= from) return {};
   // On one line the spaces between the words are kept as they stand.
-  const char* const begin = words_[1].data();
+  const char* const begin = words_[from].data();
   const char* const end = words_.back().data() + words_.back().size();
   const std::string_view whole = text_.substr(static_cast<std::size_t>(begin - text_.data()),
                                               static_cast<std::size_t>(end - begin));
-  return std::string(whole.find('\n') == whole.npos ? whole : words_[1]);
+  return std::string(whole.find('\n') == whole.npos ? whole : words_[from]);
 }
 
 }  // namespace portalens

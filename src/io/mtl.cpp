@@ -8,6 +8,7 @@
 
 #include "core/words.h"
 #include "io/lines.h"
+#include "io/mtl_options.h"
 #include "io/tokens.h"
 
 namespace portalens {
@@ -19,8 +20,9 @@ constexpr std::int64_t first_mirroring = 3;  // illum 3: "reflection on and ray 
 
 class MtlReader {
  public:
-  MtlReader(std::string_view text, std::shared_ptr<const std::string> file, Faults& faults)
-      : lines_(text), file_(std::move(file)), faults_(&faults) {}
+  MtlReader(std::string_view text, std::shared_ptr<const std::string> file, Faults& faults,
+            std::vector<Fault>& warnings)
+      : lines_(text), file_(std::move(file)), faults_(&faults), warnings_(&warnings) {}
 
   std::vector<Table> read() {
     const std::size_t before = faults_->size();
@@ -33,35 +35,35 @@ class MtlReader {
   [[nodiscard]] Location here() const { return {file_, lines_.line()}; }
 
   void statement() {
-    const std::string_view word = lines_.words()[0];
+    const std::string word = in_small_letters(lines_.words()[0]);
     if (word == "newmtl") {
       begin_material();
     } else if (known(word) && materials_.empty()) {
-      faults_->add(here(), in_quotes(word) + " before any newmtl", "begin with newmtl NAME");
-    } else if (word == "Kd") {
+      faults_->add(here(), in_quotes(lines_.words()[0]) + " before any newmtl",
+                   "begin with newmtl NAME");
+    } else if (word == "kd") {
       color("diffuse");
-    } else if (word == "Ke") {
+    } else if (word == "ke") {
       color("emitted");
-    } else if (word == "Ks") {
+    } else if (word == "ks") {
       specular_ = color_value();
-    } else if (word == "Pr") {
+    } else if (word == "pr") {
       roughness();
     } else if (word == "illum") {
       illumination();
-    } else if (word == "map_Kd") {
+    } else if (word == "map_kd") {
       picture();
     }
   }
 
   static bool known(std::string_view word) {
-    constexpr std::array<std::string_view, 6> words{"Kd", "Ke", "Ks", "Pr", "illum", "map_Kd"};
+    constexpr std::array<std::string_view, 6> words{"kd", "ke", "ks", "pr", "illum", "map_kd"};
     return std::find(words.begin(), words.end(), word) != words.end();
   }
 
   void begin_material() {
     finish_material();
     std::string name = lines_.rest();
-    if (name.empty()) faults_->add(here(), "newmtl without a name", "write newmtl NAME");
     if (materials_.size() == max_materials) {
       faults_->add(here(), "more than 10000 materials", "use fewer");
       return;
@@ -123,12 +125,11 @@ class MtlReader {
 
   void picture() {
     const auto& words = lines_.words();
-    if (words.size() > 1 && words[1][0] == '-') {
-      faults_->add(here(), "the option " + in_quotes(words[1]) + " of map_Kd is not known here",
-                   "write map_Kd FILE");
-      return;
-    }
-    std::string name = lines_.rest();
+    const MapOptions options = map_options(words);
+    for (const std::string& option : options.not_done)
+      warnings_->push_back({here(), in_quotes(option) + " of map_Kd is passed over",
+                            "the picture is laid on and shown as it is; bake the option into it"});
+    std::string name = lines_.rest(options.name);
     if (name.empty()) faults_->add(here(), "map_Kd without a file", "write map_Kd FILE");
     std::replace(name.begin(), name.end(), '\\', '/');
     picture_ = Value{std::move(name), here()};
@@ -137,6 +138,7 @@ class MtlReader {
   LineReader lines_;
   std::shared_ptr<const std::string> file_;
   Faults* faults_;
+  std::vector<Fault>* warnings_;
   std::vector<Table> materials_;
   std::optional<Value> specular_, picture_;
   std::int64_t illumination_ = 0;
@@ -145,8 +147,12 @@ class MtlReader {
 }  // namespace
 
 std::vector<Table> read_mtl(std::string_view text, const std::shared_ptr<const std::string>& name,
-                            Faults& faults) {
-  return MtlReader(text, name, faults).read();
+                            Faults& faults, std::vector<Fault>& warnings) {
+  if (is_utf16(text)) {
+    faults.add({name, 0}, "the file is in UTF-16", "save it as UTF-8");
+    return {};
+  }
+  return MtlReader(text, name, faults, warnings).read();
 }
 
 }  // namespace portalens

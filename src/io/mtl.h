@@ -14,10 +14,12 @@ namespace portalens {
 /// One table of kind "material" for each `newmtl`, in our own keys: `Kd` (or the picture of
 /// `map_Kd`, which then replaces it) is `diffuse`, `Ke` `emitted`, `Pr` `roughness`, and `Ks`
 /// `reflective` where `illum` is 3 or more (MTL mirrors only then). Other statements have no
-/// counterpart here and are passed over.
-/// @param name  how messages call the file
+/// counterpart here and are passed over. Statements may be in letters of any size; a name may be
+/// empty.
+/// @param name      how messages call the file
+/// @param warnings  gets what is passed over though it was meant
 [[nodiscard]] std::vector<Table> read_mtl(std::string_view text,
                                           const std::shared_ptr<const std::string>& name,
-                                          Faults& faults);
+                                          Faults& faults, std::vector<Fault>& warnings);
 
 }  // namespace portalens

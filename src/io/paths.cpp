@@ -59,4 +59,12 @@ std::optional<fs::path> resolve_file(const fs::path& scene_file, const std::stri
   return file;
 }
 
+bool is_missing(const fs::path& scene_file, const std::string& name) {
+  std::error_code error;
+  const fs::path folder = fs::canonical(folder_of(scene_file), error);
+  if (error || name.empty() || name.find('\0') != std::string::npos) return false;
+  if (!lies_in((folder / name).lexically_normal(), folder)) return false;
+  return fs::symlink_status(folder / name, error).type() == fs::file_type::not_found;
+}
+
 }  // namespace portalens

@@ -19,4 +19,7 @@ enum class Containment { scene_folder, anywhere };
     const std::filesystem::path& scene_file, const std::string& name, Containment containment,
     const Location& asked_at, Faults& faults);
 
+/// Whether `name` means a place within the scene's folder where there is nothing.
+[[nodiscard]] bool is_missing(const std::filesystem::path& scene_file, const std::string& name);
+
 }  // namespace portalens

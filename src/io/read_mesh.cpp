@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <new>
 #include <optional>
@@ -16,8 +15,7 @@
 #include "io/files.h"
 #include "io/lines.h"
 #include "io/mesh_gaps.h"
-#include "io/mtl.h"
-#include "io/paths.h"
+#include "io/mesh_materials.h"
 #include "io/tokens.h"
 #include "math/triangulate.h"
 
@@ -25,24 +23,35 @@ namespace portalens {
 namespace {
 
 constexpr std::uint64_t max_bytes = std::uint64_t{1} << 30;
-constexpr std::uint64_t max_mtl_bytes = std::uint64_t{16} << 20;
 constexpr std::size_t max_corners = 1000;  // of one polygon
 constexpr std::size_t max_faults = 100;
 constexpr double max_far = 1e15;  // single precision squares it
 
-/// Statements that say nothing about surfaces, and are passed over.
-constexpr std::string_view harmless[] = {"o", "g", "s", "l", "p"};
+/// Statements that say nothing about surfaces, and are passed over: of the format, and two that
+/// others have added to it.
+constexpr std::string_view harmless[] = {
+    "o",        "g",          "s",         "l",      "p",      "lod", "bevel", "mg", "c_interp",
+    "d_interp", "shadow_obj", "trace_obj", "usemap", "maplib", "vp",  "t",     "vw"};
+/// Those of curves and curved surfaces, which are not taken: that is told.
+constexpr std::string_view free_form[] = {
+    "cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm", "trim",  "hole", "scrv",
+    "sp",     "end", "con",  "bsp",  "bzp",  "cdc",   "cdp",  "res",  "ctech", "stech"};
+
+template <std::size_t count>
+bool is_one_of(const std::string_view (&words)[count], std::string_view word) {
+  return std::find(std::begin(words), std::end(words), word) != std::end(words);
+}
 
 class MeshReader {
  public:
-  MeshReader(std::string_view text, const std::filesystem::path& path, Faults& faults,
-             Digests* digests)
+  MeshReader(std::string_view text, const std::filesystem::path& path, FileMaterials wanted,
+             Faults& faults, Digests* digests)
       : lines_(text),
-        path_(path),
         file_(std::make_shared<const std::string>(path.string())),
+        wanted_(wanted),
         faults_(&faults),
-        digests_(digests),
-        before_(faults.size()) {}
+        before_(faults.size()),
+        materials_(path, faults, warnings_, digests) {}
 
   MeshFile read() {
     while (faults_->size() - before_ < max_faults && lines_.next()) statement();
@@ -51,8 +60,9 @@ class MeshReader {
       faults_->add({file_, 0}, "the mesh has no faces", "check that the file is whole");
     }
     if (faults_->size() > before_) return {};
-    fill_gaps(mesh_, materials_, {file_, 0});
-    return {std::move(mesh_), std::move(materials_)};
+    std::vector<Table> materials = std::move(materials_).take();
+    fill_gaps(mesh_, materials, {file_, 0});
+    return {std::move(mesh_), std::move(materials), std::move(warnings_)};
   }
 
  private:
@@ -71,7 +81,7 @@ class MeshReader {
   }
 
   void statement() {
-    const std::string_view word = lines_.words()[0];
+    const std::string word = in_small_letters(lines_.words()[0]);
     if (word == "v") {
       // Also after a fault, so that the count of the others stays right.
       mesh_.positions.push_back(numbers(3, 8, "v x y z").value_or(Vec3d{}));
@@ -83,10 +93,12 @@ class MeshReader {
     } else if (word == "f") {
       face();
     } else if (word == "usemtl") {
-      use_material();
+      if (wanted_ == FileMaterials::read) materials_.use(lines_.rest(), here());
     } else if (word == "mtllib") {
-      read_materials();
-    } else if (std::find(std::begin(harmless), std::end(harmless), word) == std::end(harmless)) {
+      if (wanted_ == FileMaterials::read) materials_.read(lines_.words(), lines_.rest(), here());
+    } else if (is_one_of(free_form, word)) {
+      pass_over_free_form();
+    } else if (!is_one_of(harmless, word)) {
       refuse("unknown statement " + in_quotes(word),
              suggestion_or_list(word, {"v", "vt", "vn", "f", "o", "g", "s", "usemtl", "mtllib"}));
     }
@@ -194,38 +206,15 @@ class MeshReader {
 
   void add_triangle(const std::array<std::size_t, 3>& from) {
     mesh_.corners.push_back({polygon_[from[0]], polygon_[from[1]], polygon_[from[2]]});
-    mesh_.material_of.push_back(material_);
+    mesh_.material_of.push_back(materials_.current());
   }
 
-  void use_material() {
-    const std::string name = lines_.rest();
-    const auto found = material_by_name_.find(name);
-    if (found != material_by_name_.end()) {
-      material_ = found->second;
-      return;
-    }
-    std::vector<std::string> known;
-    for (const auto& [other, unused] : material_by_name_) known.push_back(other);
-    refuse("unknown material " + in_quotes(name),
-           known.empty() ? "name its MTL file with mtllib first" : suggestion_or_list(name, known));
-  }
-
-  void read_materials() {
-    const std::string name = lines_.rest();
-    const auto file = resolve_file(path_, name, Containment::scene_folder, here(), *faults_);
-    if (!file) return;
-    const auto text = read_file(*file, max_mtl_bytes, here(), *faults_, digests_);
-    if (!text) return;
-    const auto shown = std::make_shared<const std::string>((path_.parent_path() / name).string());
-    for (Table& table : read_mtl(*text, shown, *faults_)) {
-      const Value* said = table.find("name");
-      const auto index = static_cast<std::uint32_t>(materials_.size());
-      const auto& key = std::get<std::string>(said->data);
-      if (!material_by_name_.emplace(key, index).second) {
-        faults_->add(table.where, "a second material " + in_quotes(key), "give it another name");
-      }
-      materials_.push_back(std::move(table));
-    }
+  void pass_over_free_form() {
+    if (std::exchange(free_form_told_, true)) return;
+    warnings_.push_back(
+        {here(),
+         "curves and curved surfaces are passed over, from " + in_quotes(lines_.words()[0]) + " on",
+         "export the mesh as polygons"});
   }
 
   void check_indices_ahead() {
@@ -243,15 +232,14 @@ class MeshReader {
   }
 
   LineReader lines_;
-  std::filesystem::path path_;
   std::shared_ptr<const std::string> file_;
+  FileMaterials wanted_;
   Faults* faults_;
-  Digests* digests_;
   std::size_t before_;
   Triangles mesh_;
-  std::vector<Table> materials_;
-  std::map<std::string, std::uint32_t> material_by_name_;
-  std::uint32_t material_ = left_out;
+  std::vector<Fault> warnings_;
+  MeshMaterials materials_;
+  bool free_form_told_ = false;
   std::vector<Ahead> ahead_;
   std::vector<Corner> polygon_;
   std::vector<Vec3d> points_;
@@ -259,12 +247,17 @@ class MeshReader {
 
 }  // namespace
 
-MeshFile read_mesh(const std::filesystem::path& file, const Location& asked_at, Faults& faults,
-                   Digests* digests) {
+MeshFile read_mesh(const std::filesystem::path& file, const Location& asked_at,
+                   FileMaterials wanted, Faults& faults, Digests* digests) {
   const auto text = read_file(file, max_bytes, asked_at, faults, digests);
   if (!text) return {};
+  if (is_utf16(*text)) {
+    faults.add({std::make_shared<const std::string>(file.string()), 0}, "the file is in UTF-16",
+               "save it as UTF-8");
+    return {};
+  }
   try {
-    return MeshReader(*text, file, faults, digests).read();
+    return MeshReader(*text, file, wanted, faults, digests).read();
   } catch (const std::bad_alloc&) {
     faults.add(asked_at, "no memory for the mesh " + file.filename().string(),
                "use a coarser mesh");

@@ -227,7 +227,8 @@ World compile(const Scene& scene, const CompileOptions& options) {
               used_files(scene.file, digests),
               {},
               {}};
-  world.warnings = warnings_about(world);
+  world.warnings = meshes.warnings();
+  for (std::string& warning : warnings_about(world)) world.warnings.push_back(std::move(warning));
   world.remarks = remarks_about(world);
   return world;
 }

@@ -6,11 +6,12 @@
 
 namespace portalens {
 
-std::optional<LoadedMesh> MeshStore::load(const Mesh& mesh, const Location& asked_at) {
+std::optional<LoadedMesh> MeshStore::load(const Mesh& mesh, FileMaterials materials,
+                                          const Location& asked_at) {
   if (mesh.file().empty()) return std::nullopt;  // already told
   const auto path = resolve_file(scene_file_, mesh.file(), containment_, asked_at, *faults_);
   if (!path) return std::nullopt;
-  const Stored& found = stored(*path, asked_at);
+  const Stored& found = stored(*path, materials, asked_at);
   if (found.file.triangles.corners.empty()) return std::nullopt;
   triangles_ += found.file.triangles.corners.size();
   if (triangles_ > max_triangles) {
@@ -28,12 +29,13 @@ std::optional<LoadedMesh> MeshStore::load(const Mesh& mesh, const Location& aske
 }
 
 const MeshStore::Stored& MeshStore::stored(const std::filesystem::path& path,
-                                           const Location& asked_at) {
-  const auto [place, is_new] = files_.try_emplace(path);
+                                           FileMaterials materials, const Location& asked_at) {
+  const auto [place, is_new] = files_.try_emplace({path, materials});
   Stored& entry = place->second;
   if (!is_new) return entry;
   const std::size_t before = faults_->size();
-  entry.file = read_mesh(path, asked_at, *faults_, digests_);
+  entry.file = read_mesh(path, asked_at, materials, *faults_, digests_);
+  for (const Fault& warning : entry.file.warnings) warnings_.push_back(to_string(warning));
   if (entry.file.triangles.corners.empty()) {
     if (faults_->size() == before)
       faults_->add(asked_at, "the mesh has no faces", "name a file with at least one");

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "geometry/mesh.h"
@@ -36,7 +37,12 @@ class MeshStore {
         digests_(&digests) {}
 
   /// The mesh with the triangles of its file; nothing after a fault.
-  [[nodiscard]] std::optional<LoadedMesh> load(const Mesh& mesh, const Location& asked_at);
+  /// @param materials  whether those of the file are wanted
+  [[nodiscard]] std::optional<LoadedMesh> load(const Mesh& mesh, FileMaterials materials,
+                                               const Location& asked_at);
+
+  /// What the files' readers have warned of.
+  [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
   struct Stored {
@@ -44,7 +50,8 @@ class MeshStore {
     std::optional<std::uint32_t> first_material;
   };
 
-  [[nodiscard]] const Stored& stored(const std::filesystem::path& path, const Location& asked_at);
+  [[nodiscard]] const Stored& stored(const std::filesystem::path& path, FileMaterials materials,
+                                     const Location& asked_at);
   [[nodiscard]] std::optional<std::uint32_t> add_materials(const std::filesystem::path& path,
                                                            const std::vector<Table>& tables);
 
@@ -54,7 +61,8 @@ class MeshStore {
   MaterialList* materials_;
   Faults* faults_;
   Digests* digests_;
-  std::map<std::filesystem::path, Stored> files_;
+  std::map<std::pair<std::filesystem::path, FileMaterials>, Stored> files_;
+  std::vector<std::string> warnings_;
   std::size_t triangles_ = 0;
 };
 

@@ -58,10 +58,12 @@ class ObjectReader {
 
   /// A mesh's file has materials of its own, unless the scene gives it one.
   void load(Mesh& mesh, Body& body, Parameters& parameters) {
-    auto loaded = context_.meshes.load(mesh, parameters.where("file"));
+    const auto wanted =
+        parameters.has("material") ? FileMaterials::passed_over : FileMaterials::read;
+    auto loaded = context_.meshes.load(mesh, wanted, parameters.where("file"));
     if (!loaded) return;
     mesh = std::move(loaded->mesh);
-    if (parameters.has("material") || !loaded->first_material) return;
+    if (!loaded->first_material) return;
     for (std::uint32_t face = 0; face < mesh.triangle_count(); ++face)
       body.face_materials.push_back(*loaded->first_material + mesh.material_of(face).value_or(0));
     body.material = body.face_materials.front();

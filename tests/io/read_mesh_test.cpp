@@ -1,4 +1,4 @@
-// An ordinary mesh is read exactly or refused by line; polygons keep their area and their side.
+// An ordinary mesh is read exactly or refused by line; what others write is taken.
 #include "io/read_mesh.h"
 
 #include <gtest/gtest.h>
@@ -8,21 +8,17 @@
 #include <cmath>
 #include <sstream>
 
-#include "math/triangulate.h"
 #include "support/random.h"
-#include "support/scale.h"
 #include "support/temporary_folder.h"
 
 namespace portalens::test {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
 MeshFile good_mesh(const std::string& text, const std::string& mtl = "") {
   const TemporaryFolder folder;
   if (!mtl.empty()) folder.write("a.mtl", mtl);
   Faults faults;
-  MeshFile mesh = read_mesh(folder.write("a.obj", text), {}, faults);
+  MeshFile mesh = read_mesh(folder.write("a.obj", text), {}, FileMaterials::read, faults);
   EXPECT_NO_THROW(faults.raise());
   return mesh;
 }
@@ -31,7 +27,7 @@ std::vector<Fault> faults_of(const std::string& text, const std::string& mtl = "
   const TemporaryFolder folder;
   if (!mtl.empty()) folder.write("a.mtl", mtl);
   Faults faults;
-  const MeshFile mesh = read_mesh(folder.write("a.obj", text), {}, faults);
+  const MeshFile mesh = read_mesh(folder.write("a.obj", text), {}, FileMaterials::read, faults);
   EXPECT_EQ(mesh.triangles.corners.empty(), !faults.empty());
   try {
     faults.raise();
@@ -39,59 +35,6 @@ std::vector<Fault> faults_of(const std::string& text, const std::string& mtl = "
     return error.faults();
   }
   return {};
-}
-
-Vec3d area_of(const std::vector<Vec3d>& p, const std::array<std::size_t, 3>& t) {
-  return cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]) * 0.5;
-}
-
-/// A simple polygon around the origin whose corners lie at ever larger angles.
-std::vector<Vec3d> star(Random& random, std::size_t count) {
-  std::vector<Vec3d> points;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double angle = 2 * pi * static_cast<double>(i) / static_cast<double>(count);
-    const double r = random.uniform(0.2, 1.0);
-    points.push_back({r * std::cos(angle), r * std::sin(angle), 0.3 * r * std::cos(angle)});
-  }
-  return points;
-}
-
-TEST(Polygon, TrianglesHaveThePolygonsAreaAndItsSide) {
-  Random random(1);
-  for (int trial = 0; trial < scaled(200); ++trial) {
-    const std::vector<Vec3d> points = star(random, 4 + static_cast<std::size_t>(trial) % 40);
-    const auto triangles = triangulate(points);
-    ASSERT_EQ(triangles.size(), points.size() - 2);
-    Vec3d whole;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      whole += cross(points[i], points[(i + 1) % points.size()]) * 0.5;
-    }
-    Vec3d sum;
-    for (const auto& triangle : triangles) {
-      const Vec3d area = area_of(points, triangle);
-      EXPECT_GE(dot(area, whole), 0.0);  // so that none overlap
-      sum += area;
-    }
-    EXPECT_NEAR(length(sum - whole), 0.0, 1e-12);
-  }
-}
-
-TEST(Polygon, AQuadIsCutInsideAndAlongItsShorterDiagonal) {
-  const std::vector<Vec3d> kite{{0, 0, 0}, {1, -0.2, 0}, {2, 0, 0}, {1, 0.2, 0}};
-  const auto triangles = triangulate(kite);
-  EXPECT_EQ(triangles[0], (std::array<std::size_t, 3>{0, 1, 3}));
-  const std::vector<Vec3d> dart{{0, 0, 0}, {2, -1, 0}, {0.5, 0, 0}, {2, 1, 0}};
-  for (const auto& triangle : triangulate(dart)) EXPECT_GT(area_of(dart, triangle).z, 0.0);
-}
-
-TEST(Polygon, OneThatCrossesItselfOrHasNoAreaStillEnds) {
-  Random random(2);
-  for (std::size_t count = 4; count < 200; count += 7) {
-    std::vector<Vec3d> points(count);
-    EXPECT_EQ(triangulate(points).size(), count - 2);
-    for (Vec3d& p : points) p = random.point(1.0);
-    EXPECT_EQ(triangulate(points).size(), count - 2);
-  }
 }
 
 TEST(Mesh, IsWhatAnotherReaderReads) {
@@ -188,6 +131,65 @@ TEST(Mesh, MaterialsBecomeOurs) {
   EXPECT_EQ(std::get<double>(std::get<Value::List>(lamp.find("emitted")->data)[2].data), 1.0);
 }
 
+TEST(Mesh, MaterialsAreReadAsOtherProgramsWriteThem) {
+  const std::string square = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  const std::string red = "newmtl red\nKd 1 0 0\n",
+                    green = "NEWMTL\nKD 0 0.5 0\nMap_kd -s 1 1 1 -bm 2 a b.png\n";
+  struct Case {
+    std::string obj;
+    std::size_t materials, warnings;
+  };
+  const Case cases[] = {
+      {"mtllib a.mtl b.mtl\n" + square + "usemtl red\nf 1 2 3\nusemtl\nf 1 2 3\n", 2, 0},
+      {"mtllib a.mtl\nmtllib a.mtl\n" + square + "usemtl red\nf 1 2 3\n", 1, 0},
+      {"mtllib sub\\c.mtl\n" + square + "usemtl red\nf 1 2 3\n", 1, 0},
+      {"mtllib two words.mtl\n" + square + "usemtl red\nf 1 2 3\n", 1, 0},
+      {"MTLLIB a.mtl\n" + square + "UseMtl red\nf 1 2 3\n", 1, 0},
+      {"mtllib none.mtl\n" + square + "usemtl gone\nf 1 2 3\n", 0, 1},
+      {square + "usemtl (null)\nf 1 2 3\nusemtl (null)\nf 1 2 3\n", 0, 1},
+      {"mtllib a.mtl\n" + square + "usemtl red\nf 1 2 3\nusemtl None\nf 1 2 3\n", 2, 1},
+      {"mtllib a.mtl\nmtllib sub/c.mtl\n" + square + "usemtl red\nf 1 2 3\n", 1, 1},
+      {"mtllib d.mtl\n" + square + "usemtl red\nf 1 2 3\n", 1, 1},
+      {"mtllib e.mtl\n" + square + "usemtl red\nf 1 2 3\n", 1, 2}};
+  for (const Case& one : cases) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder.path() / "sub");
+    for (const char* name : {"a.mtl", "sub/c.mtl", "two words.mtl"}) folder.write(name, red);
+    folder.write("b.mtl", green);
+    folder.write("d.mtl", red + "map_Kd -o 0.5 0 -clamp off -colorspace sRGB a.png\n");
+    folder.write("e.mtl", red + "map_Kd -warp 2 -s 2 2 1 a.png\n");
+    Faults faults;
+    const auto file = folder.write("a.obj", one.obj);
+    const MeshFile mesh = read_mesh(file, {}, FileMaterials::read, faults);
+    EXPECT_NO_THROW(faults.raise()) << one.obj;
+    EXPECT_EQ(mesh.materials.size(), one.materials) << one.obj;
+    EXPECT_EQ(mesh.warnings.size(), one.warnings) << one.obj;
+    const MeshFile bare = read_mesh(file, {}, FileMaterials::passed_over, faults);
+    EXPECT_TRUE(faults.empty() && bare.materials.empty() && bare.warnings.empty()) << one.obj;
+    EXPECT_EQ(bare.triangles.corners.size(), mesh.triangles.corners.size());
+  }
+}
+
+TEST(Mesh, OptionsOfMapsAreToldFromTheNameThatFollows) {
+  const MeshFile mesh =
+      good_mesh("mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n",
+                "newmtl a\nmap_Kd -s 1 1 1 -mm 0 1 -blendu on -type sphere old wood.png\n");
+  EXPECT_EQ(std::get<std::string>(mesh.materials[0].find("diffuse")->data), "old wood.png");
+}
+
+TEST(Mesh, StatementsThatSayNothingOfTheShapeArePassedOver) {
+  const std::string some = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  const MeshFile plain = good_mesh(
+      "lod 2\nbevel on\nc_interp off\nd_interp off\nmg 0\nvp 0.5\n"
+      "shadow_obj a\ntrace_obj a\nusemap off\nmaplib a\nt 1 2\nvw 1\n" +
+      some);
+  EXPECT_TRUE(plain.warnings.empty());
+  const MeshFile curved = good_mesh(some + "cstype bezier\ndeg 3\ncurv 0 1 1 2 3\nend\n");
+  ASSERT_EQ(curved.warnings.size(), 1U);
+  EXPECT_EQ(curved.warnings[0].where.line, 5);
+  EXPECT_EQ(curved.triangles.corners.size(), 1U);
+}
+
 TEST(Mesh, EveryFaultIsToldWithItsLine) {
   const std::string start = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   struct Case {
@@ -219,11 +221,11 @@ TEST(Mesh, EveryFaultIsToldWithItsLine) {
       {start + "f 1 2 3\nf 1 2", 5, "2 corners"},
       {start, 0, "no faces"},
       {"", 0, "no faces"},
-      {start + "usemtl gold\nf 1 2 3\n", 4, "unknown material 'gold'"},
-      {"mtllib nothere.mtl\n" + start + "f 1 2 3\n", 1, "no file"},
       {"mtllib ../a.mtl\n" + start + "f 1 2 3\n", 1, "leaves"},
       {"mtllib /etc/hostname\n" + start + "f 1 2 3\n", 1, "leaves"},
-      {start + "curv 0 1 1 2\nf 1 2 3\n", 4, "unknown statement 'curv'"},
+      {start + "curvy 0 1 1 2\nf 1 2 3\n", 4, "unknown statement 'curvy'"},
+      {std::string("\xff\xfev\0 \0", 6), 0, "save it as UTF-8"},
+      {std::string("\0v\0 \0001", 6), 0, "save it as UTF-8"},
       {std::string("\x89PNG\r\n\x1a\n\0\0", 10), 1, "unknown statement"},
   };
   for (const Case& one : cases) {
@@ -242,9 +244,8 @@ TEST(Mesh, FaultsOfTheMaterialsAreToldInTheirOwnFile) {
                                                {"Kd 1 1 1\n", 1},
                                                {"newmtl a\n\nPr rough\n", 3},
                                                {"newmtl a\nillum 2.5\n", 2},
-                                               {"newmtl a\nmap_Kd -s 2 2 1 a.png\n", 2},
-                                               {"newmtl\n", 1},
-                                               {"newmtl a\nnewmtl a\n", 2},
+                                               {"newmtl a\nmap_Kd -s 1 1\n", 2},
+                                               {"\xfe\xff", 0},
                                                {"newmtl a\nKd spectral f.rfl\n", 2}};
   for (const auto& [mtl, line] : cases) {
     const auto faults = faults_of(mesh, mtl);
