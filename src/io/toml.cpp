@@ -198,9 +198,13 @@ void read_toml(std::string_view text, const File& name, Scene& scene) {
     const toml::table root = toml::parse(disguised(text), std::string_view(*name));
     Sorter(scene, name).sort(root);
   } catch (const toml::parse_error& error) {
+    const std::string problem = undisguised(error.description());
+    const bool in_braces = problem.find("inline table") != std::string::npos;
     throw SceneError({{{name, line_of(error.source())},
-                       "this is not TOML: " + undisguised(error.description()),
-                       "mend this first; what follows it has not been read"}});
+                       "this is not TOML: " + problem,
+                       in_braces ? "a table in braces stands on one line, without a comma at its "
+                                   "end (TOML 1.0): write [name] on a line, and its keys below"
+                                 : "mend this first; what follows it has not been read"}});
   }
 }
 

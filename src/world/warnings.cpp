@@ -11,6 +11,7 @@
 
 #include "core/words.h"
 #include "gravity/bound_light.h"
+#include "world/portal_warnings.h"
 #include "world/world.h"
 
 namespace portalens {
@@ -166,11 +167,38 @@ void about_flush_faces(const World& world, Warnings& warnings) {
                                    pairs.size() < max_pairs ? "" : "at least ", found - max_told));
 }
 
+/// At some place of it: a texture may be black there.
+bool answers_lamps(const Material& material) {
+  return std::visit(
+      [](const auto& bsdf) {
+        constexpr Vec3d normal{0, 0, 1};
+        return bsdf.at(SurfacePoint{}).albedo(normal, normal) != Rgb{};
+      },
+      material.bsdf());
+}
+
+bool any_answers_lamps(const Appearance& look) {
+  return std::any_of(look.bodies.begin(), look.bodies.end(), [&](const Body& body) {
+    return answers_lamps(look.materials[body.material]);
+  });
+}
+
+/// So much ambient light was meant to light the scene.
+constexpr double meant_to_light = 0.3;
+
 void about_light(const World& world, Warnings& warnings) {
   const Appearance& look = world.appearance;
   const bool dark_sky = !look.environment.image && look.environment.color == Rgb{};
   if (look.lights.empty() && dark_sky && look.limits.ambient == Rgb{})
     warnings.push_back("nothing gives light: the picture will be black");
+  else if (look.lights.empty() && max_component(look.limits.ambient) < meant_to_light &&
+           any_answers_lamps(look))
+    warnings.push_back(fmt::format(
+        "no lamp lights the scene: surfaces have only shading.ambient ({:.3g}, {:.3g}, {:.3g}), "
+        "and "
+        "the environment is seen, but lights nothing; add a [[light]], or a shape whose material "
+        "has emitted",
+        look.limits.ambient.x, look.limits.ambient.y, look.limits.ambient.z));
 }
 
 }  // namespace
@@ -196,6 +224,7 @@ std::vector<std::string> warnings_about(const World& world) {
   about_bound_light(world, warnings);
   about_hidden_bodies(world, warnings);
   about_flush_faces(world, warnings);
+  warn_about_portals(world, warnings);
   about_light(world, warnings);
   return warnings;
 }

@@ -18,6 +18,8 @@ constexpr Broken toml_form[] = {
     {"a key twice", "[film]\nwidth = 1\nwidth = 2\n", 3, "width"},
     {"a table twice", "[film]\nwidth = 1\n[film]\nheight = 2\n", 3, "film"},
     {"bare word", "[physics]\nintegrator = euler\n", 2, "not TOML"},
+    {"table in braces over lines", "film = {\n  width = 1,\n}\n", 1, "stands on one line"},
+    {"comma before the brace", "film = { width = 1, }\n", 1, "without a comma"},
     {"two keys on a line", "[film]\nwidth = 1 height = 2\n", 2, "not TOML"},
     {"open list", "[camera]\nposition = [1, 2\n", 2, "not TOML"},
     {"lost comma", "[camera]\nposition = [1 2 3]\n", 2, "not TOML"},

@@ -1,6 +1,8 @@
 // What is probably not meant is told, by name and with a remedy, and not without end.
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "support/flush_scenes.h"
 #include "support/scene_text.h"
 
@@ -101,7 +103,7 @@ TEST(Compile, WarnsOfWhatLiesInOnePlaneAndTellsWhatIsSeen) {
   EXPECT_EQ(warnings_of(door_on_a_wall),
             "'a' lies in the plane of 'quad0': where it is met, 'quad0' is not\n"
             "'b' lies in the plane of 'quad1': where it is met, 'quad1' is not\n");
-  EXPECT_EQ(warnings_of(mirror_on_a_wall),
+  EXPECT_EQ(warnings_of(mirror_on_a_wall + std::string("[shading]\nambient = [1, 1, 1]\n")),
             "'mirror0' lies in the plane of 'quad1': where both are, 'mirror0' is seen\n");
   EXPECT_EQ(
       warnings_of(picture_on_a_wall),
@@ -130,6 +132,63 @@ TEST(Compile, OverlapsAreLookedForOnlyAmongTheFirstOfVeryMany) {
   ASSERT_EQ(world.warnings.size(), 1u);
   EXPECT_EQ(world.warnings[0],
             "of 5001 horizons the first 5000 were compared: others may overlap, too");
+}
+
+/// Two doors that stand beside each other, before a camera on +z.
+std::string doors(const std::string& a, const std::string& b, const std::string& more = "") {
+  return "[camera]\nposition = [0, 1, 8]\nlook_at = [0, 1, 0]\n[[portal]]\nname = \"a\"\npair = "
+         "\"b\"\n" +
+         more + "vertices = " + a + "\n[[portal]]\nname = \"b\"\npair = \"a\"\n" + more +
+         "vertices = " + b + "\n";
+}
+
+TEST(Warnings, PortalsOfWhichTheCameraSeesOnlyOpenBacksAreTold) {
+  const std::string front_a = "[[-3,0,0], [-1,0,0], [-1,2,0], [-3,2,0]]",
+                    front_b = "[[1,0,0], [3,0,0], [3,2,0], [1,2,0]]",
+                    back_a = "[[-3,0,0], [-3,2,0], [-1,2,0], [-1,0,0]]",
+                    back_b = "[[1,0,0], [1,2,0], [3,2,0], [3,0,0]]";
+  const auto told = [](const std::string& text) {
+    return warnings_of(text).find("the camera is behind every portal ('a', 'b')") !=
+           std::string::npos;
+  };
+  EXPECT_TRUE(told(doors(back_a, back_b)));
+  EXPECT_FALSE(told(doors(front_a, front_b)));
+  EXPECT_FALSE(told(doors(front_a, back_b)));  // one of them is seen
+  EXPECT_FALSE(told(doors(back_a, back_b, "back = \"portal\"\n")));
+}
+
+TEST(Warnings, APairThatTurnsWhatStandsUprightIsTold) {
+  const std::string a = "[[-3,0,0], [-1,0,0], [-1,2,0], [-3,2,0]]";
+  const auto told = [](const std::string& text) {
+    const std::string all = warnings_of(text);
+    return all.substr(0, all.find('\n'));
+  };
+  EXPECT_EQ(told(doors(a, "[[1,0,0], [3,0,0], [3,2,0], [1,2,0]]")), "");
+  EXPECT_EQ(told(doors(a, "[[1,0,0], [2.2,0,1.6], [2.2,2,1.6], [1,2,0]]")), "");
+  EXPECT_NE(told(doors(a, "[[3,2,0], [1,2,0], [1,0,0], [3,0,0]]"))
+                .find("up, (0, 1, 0), becomes (0, -1, 0)"),
+            std::string::npos);
+  EXPECT_NE(told(doors(a, "[[3,0,0], [3,2,0], [1,2,0], [1,0,0]]")).find("stand upright"),
+            std::string::npos);
+  // A door in the floor has no up of its own.
+  EXPECT_EQ(told(doors(a, "[[1,0,2], [3,0,2], [3,0,0], [1,0,0]]")), "");
+}
+
+TEST(Warnings, ASceneThatNoLampLightsIsTold) {
+  const std::string sky =
+                        "[environment]\ncolor = [0.3, 0.5, 0.9]\n[camera]\nposition = [0, 0, 9]\n"
+                        "look_at = [0, 0, 0]\n",
+                    ball = "[[sphere]]\ncenter = [0, 0, 0]\nradius = 1\n",
+                    glass = "material = \"m\"\n[[material]]\nname = \"m\"\n";
+  const auto told = [](const std::string& text) {
+    return warnings_of(text).find("no lamp lights the scene") != std::string::npos;
+  };
+  EXPECT_TRUE(told(sky + ball));
+  EXPECT_FALSE(told(sky));
+  EXPECT_FALSE(told(sky + ball + glass + "diffuse = [0, 0, 0]\nreflective = [0.9, 0.9, 0.9]\n"));
+  EXPECT_FALSE(told(sky + ball + glass + "emitted = [1, 1, 1]\n"));
+  EXPECT_FALSE(told(sky + ball + "[shading]\nambient = [0.9, 0.9, 0.9]\n"));
+  EXPECT_FALSE(told(sky + ball + "[[light]]\nposition = [3, 5, 4]\nintensity = [50, 50, 50]\n"));
 }
 
 }  // namespace
