@@ -88,10 +88,10 @@ void add_drawing_options(CLI::App& command, FieldArguments& arguments) {
       ->type_name("NUMBER");
   command
       .add_option("--range", arguments.range,
-                  "With --plane: the coordinates of the left, right, lower and upper edge; by "
-                  "default around masses and portals")
+                  "With --plane: from where to where along the first axis, and along the second; "
+                  "by default around masses and portals")
       ->expected(4)
-      ->type_name("LEFT RIGHT LOWER UPPER");
+      ->type_name("FROM TO FROM TO");
   command.add_option("--width", arguments.drawing.width, "Width of the drawing, pixels")
       ->capture_default_str()
       ->check(CLI::Range(64, 8192));
@@ -122,7 +122,8 @@ void add_field_command(CLI::App& program, Command& chosen) {
   CLI::Option* plane = command
                            .add_option("--plane", arguments->axes,
                                        "Draw it on a plane along two axes: the first points to "
-                                       "the right, the second upwards")
+                                       "the right, the second up, or down in xz, yx and zy: it is "
+                                       "seen from where the third one points to")
                            ->type_name("xy|xz|...")
                            ->excludes(at);
   CLI::Option* rectangle =

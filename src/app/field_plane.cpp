@@ -52,8 +52,8 @@ FieldPlane plane_along(const std::string& axes, std::optional<double> cut,
   const double low[] = {box.low.x, box.low.y, box.low.z};
   const double high[] = {box.high.x, box.high.y, box.high.z};
   std::array<double, 4> edges = {low[u], high[u], low[v], high[v]};
-  if ((u + 1) % 3 != v) std::swap(edges[2], edges[3]);  // else seen from behind
   if (range) edges = *range;
+  if ((u + 1) % 3 != v) std::swap(edges[2], edges[3]);  // else seen from behind
   double corner[3], right[3] = {0, 0, 0}, up[3] = {0, 0, 0};
   corner[u] = edges[0];
   corner[v] = edges[2];

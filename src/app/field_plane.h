@@ -16,10 +16,12 @@ struct FieldPlane {
   Vec3d right, up;  ///< along the lower and the left side, as long as they are; perpendicular
 };
 
-/// @param axes   two of x, y, z: the first points to the right, the second upwards
+/// Seen from the positive side of the third axis, as `draw --view top` sees xz.
+/// @param axes   two of x, y, z: the first points to the right, the second up in xy, yz and zx, and
+///               down in xz, yx and zy
 /// @param cut    the third coordinate; the middle of the masses and portals if absent
-/// @param range  the coordinates of the left, right, lower and upper edge; if absent, around all
-///               masses and portals, seen from the positive side of the third axis
+/// @param range  from where to where along the first axis, and along the second; if absent, around
+///               all masses and portals. Backwards, it is seen in a mirror
 /// @throws SceneError if that is no rectangle
 [[nodiscard]] FieldPlane plane_along(const std::string& axes, std::optional<double> cut,
                                      const std::optional<std::array<double, 4>>& range,

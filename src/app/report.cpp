@@ -156,6 +156,29 @@ Json statistics_json(const RenderResult& result, const Provenance& provenance,
   return json;
 }
 
+namespace {
+
+/// Where the picture is seen from, how far it reaches, and what lies behind all.
+Metadata view_metadata(const World& world) {
+  const Camera& camera = world.camera;
+  const Environment& sky = world.appearance.environment;
+  const bool perspective = camera.projection == Projection::perspective;
+  const char* const axis = camera.fov_axis == FovAxis::x ? "x" : "y";
+  return {{"portalens:camera", perspective ? "perspective" : "orthographic"},
+          {"portalens:camera_position", vector_text(camera.position)},
+          {"portalens:camera_forward", vector_text(camera.forward)},
+          {"portalens:camera_up", vector_text(camera.up)},
+          {perspective ? "portalens:camera_fov" : "portalens:camera_size",
+           perspective ? fmt::format("{} degrees along {}", camera.fov, axis)
+                       : fmt::format("{}", camera.size)},
+          {"portalens:environment",
+           sky.image ? fmt::format("a picture, turned by {} degrees", sky.rotation)
+                     : vector_text(sky.color)},
+          {"portalens:lost_color", vector_text(world.appearance.limits.lost_color)}};
+}
+
+}  // namespace
+
 Metadata world_metadata(const World& world, const RenderOptions& options) {
   const Physics& physics = world.space.physics;
   const ShadingLimits& limits = world.appearance.limits;
@@ -181,6 +204,7 @@ Metadata world_metadata(const World& world, const RenderOptions& options) {
       {"portalens:max_bounces", fmt::format("{}", limits.max_bounces)},
       {"portalens:shadow_samples", fmt::format("{}", limits.shadow_samples)},
       {"portalens:ambient", vector_text(limits.ambient)}};
+  for (auto& entry : view_metadata(world)) metadata.push_back(std::move(entry));
   for (auto& entry : manner_metadata(manner_of(world, options)))
     metadata.push_back(std::move(entry));
   return metadata;

@@ -141,6 +141,32 @@ TEST_F(FieldCommand, DrawsAPlane) {
   EXPECT_NE(svg.find("</svg>"), std::string::npos);
 }
 
+TEST_F(FieldCommand, SeesAPlaneFromOneSideWhateverTheRange) {
+  const auto heights = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"field", "--width", "400", "-o", "a.svg", "--plane"});
+    EXPECT_EQ(run(words).code, 0);
+    const std::string svg = folder_.read("a.svg");
+    const auto height = [&](const std::string& name) {
+      const std::size_t begin = svg.rfind("<text", svg.find(name + "</text>"));
+      return std::stod(svg.substr(svg.find("y=\"", begin) + 3));
+    };
+    return std::pair{height("hole"), height("near")};
+  };
+  // From above z points down, as in `draw --view top`; the larger y of two is the lower on paper.
+  for (const auto& words :
+       {std::vector<std::string>{"xz"}, {"xz", "--range", "-2", "42", "-9", "9"}}) {
+    const auto [hole, near] = heights(words);
+    EXPECT_GT(hole, near) << words.size();
+  }
+  for (const auto& words :
+       {std::vector<std::string>{"xy"}, {"xy", "--range", "-2", "42", "-9", "9"}}) {
+    const auto [hole, near] = heights(words);
+    EXPECT_GT(hole, near) << words.size();
+  }
+  const auto [hole, near] = heights({"xz", "--range", "-2", "42", "9", "-9"});
+  EXPECT_LT(hole, near);
+}
+
 TEST_F(FieldCommand, DrawsTheSameWhateverTheThreads) {
   for (const std::string threads : {"1", "3"})
     EXPECT_EQ(run({"field", "--rectangle", "-2", "-1", "-2", "4", "0", "4", "0", "3", "0", "-t",

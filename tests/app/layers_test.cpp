@@ -141,6 +141,28 @@ TEST(Layers, AreListedByExrheaderUnderTheNamesThatCompositingProgramsExpect) {
     EXPECT_NE(header.output.find(object), std::string::npos) << object;
 }
 
+TEST(Picture, TellsFromWhereItIsSeenAndWhatLiesBehind) {
+  const SceneFolder folder;
+  folder.write("scene.toml",
+               "camera = { position = [1, 2, 3], look_at = [1, 2, 0], fov = 33 }\n"
+               "environment = { color = [0.25, 0.5, 0.75] }\nfilm = { width = 8, height = 4 }\n"
+               "shading = { lost_color = [0, 0.125, 1] }\n");
+  ASSERT_EQ(run_portalens(folder.path(), {"render", "scene.toml", "-o", "a.exr"}).code, 0);
+  const Outcome header = run_shell(folder.path(), "exrheader a.exr");
+  for (const auto& [name, value] : {std::pair{"camera ", "perspective"},
+                                    {"camera_position", "1 2 3"},
+                                    {"camera_forward", "0 0 -1"},
+                                    {"camera_up", "0 1 0"},
+                                    {"camera_fov", "33 degrees along y"},
+                                    {"environment", "0.25 0.5 0.75"},
+                                    {"lost_color", "0 0.125 1"}}) {
+    const std::size_t at = header.output.find("portalens:" + std::string(name));
+    ASSERT_NE(at, std::string::npos) << name << header.output;
+    const std::string line = header.output.substr(at, header.output.find('\n', at) - at);
+    EXPECT_NE(line.find(value), std::string::npos) << line;
+  }
+}
+
 TEST(Layers, DependOnNeitherThreadsNorCropAndLeaveThePictureAsItWas) {
   const SceneFolder folder;
   folder.write("scene.toml", scene);
