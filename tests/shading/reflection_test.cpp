@@ -109,5 +109,17 @@ TEST(Reflection, GivesBackWhatItsDistributionSays) {
   }
 }
 
+TEST(Reflection, LosesWhatBouncesTwiceAsTheDocumentsSay) {
+  for (const auto& [roughness, share] :
+       {std::pair{0.3, 0.99}, {0.5, 0.92}, {0.8, 0.55}, {1.0, 0.31}}) {
+    const auto back = test::estimate(test::scaled(20000), [&](std::uint64_t i) {
+      const auto r =
+          reflect({0, 0, -1}, {0, 0, 1}, roughness, random_number(i, 0), random_number(i, 1));
+      return r ? r->weight : 0.0;
+    });
+    EXPECT_NEAR(back.mean, share, 4 * back.error + 5e-3) << roughness;
+  }
+}
+
 }  // namespace
 }  // namespace portalens
