@@ -43,7 +43,8 @@ struct ChannelPicture {
   std::vector<Channel> channels;
 };
 
-/// All channels as they stand in the file: nothing is made linear, and values need not be finite.
+/// All channels as they stand in the file: nothing is made linear, and values need not be finite;
+/// but a Radiance picture has R, G and B as `read_image` gives them.
 /// Otherwise as `read_image`; a picture may hold as many numbers as the largest of three channels.
 [[nodiscard]] std::optional<ChannelPicture> read_channels(const std::filesystem::path& file,
                                                           const Location& asked_at, Faults& faults);

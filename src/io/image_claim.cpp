@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "io/tokens.h"
+#include "io/radiance_header.h"
 
 namespace portalens {
 namespace {
@@ -45,13 +45,6 @@ class Cursor {
   }
   std::string_view text() {
     const std::size_t end = bytes_.find('\0', at_);
-    if (end == bytes_.npos) refuse_as_broken("its header is cut off");
-    const std::string_view taken = take(end - at_);
-    take(1);
-    return taken;
-  }
-  std::string_view line() {
-    const std::size_t end = bytes_.find('\n', at_);
     if (end == bytes_.npos) refuse_as_broken("its header is cut off");
     const std::string_view taken = take(end - at_);
     take(1);
@@ -114,19 +107,11 @@ void check_jpeg(Cursor in, std::size_t size) {
   }
 }
 
-void check_hdr(Cursor in, std::size_t size) {
-  while (!in.line().empty()) {
-  }
-  TokenStream words(in.line());
-  std::int64_t sides[2] = {};
-  for (std::int64_t& side : sides) {
-    const std::string_view axis = words.next().text;
-    const auto number = parse_integer(words.next().text);
-    if (axis.size() != 2 || !number) refuse_as_broken("its header tells no size");
-    side = *number;
-  }
-  check_size(sides[1], sides[0]);
-  check_room(4 * sides[0] * sides[1], size, 64);  // 127 equal ones in two bytes
+void check_hdr(std::string_view bytes) {
+  const RadianceHeader header = radiance_header(bytes);
+  check_size(header.width, header.height);
+  // The first coding has a line of 16384 equal pixels in 12 bytes.
+  check_room(4 * header.width * header.height, bytes.size() - header.size, 5462);
 }
 
 /// Bytes that the decoder reads of a type, whatever the attribute says; nothing if it goes by that.
@@ -276,7 +261,7 @@ void check_claim(std::string_view bytes, ImageFormat format) {
     case ImageFormat::png:
       return check_png(in, bytes.size());
     case ImageFormat::hdr:
-      return check_hdr(in, bytes.size());
+      return check_hdr(bytes);
     case ImageFormat::jpeg:
       return check_jpeg(in, bytes.size());
   }

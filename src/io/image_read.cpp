@@ -1,5 +1,6 @@
-// Pictures in, through OpenImageIO from memory: told by their first bytes, measured by their header
-// before anything is allocated, and checked for values that are not finite.
+// Pictures in, through OpenImageIO from memory, those of Radiance without it: told by their first
+// bytes, measured by their header before anything is allocated, and checked for values that are not
+// finite.
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
@@ -18,6 +19,7 @@
 #include "io/image.h"
 #include "io/image_bytes.h"
 #include "io/image_claim.h"
+#include "io/radiance.h"
 #include "io/srgb.h"
 
 namespace portalens {
@@ -25,6 +27,7 @@ namespace {
 
 constexpr std::uint64_t max_bytes = std::uint64_t{1} << 30;
 
+/// As OpenImageIO calls it.
 const char* name_of(ImageFormat format) {
   switch (format) {
     case ImageFormat::exr:
@@ -109,6 +112,14 @@ ChannelPicture all_channels_of(OIIO::ImageInput& input) {
   return picture;
 }
 
+ChannelPicture channels_of(const Image& image) {
+  ChannelPicture picture{image.width, image.height, {{"R", {}}, {"G", {}}, {"B", {}}}};
+  for (std::size_t c = 0; c < 3; ++c)
+    for (std::size_t i = c; i < image.pixels.size(); i += 3)
+      picture.channels[c].values.push_back(image.pixels[i]);
+  return picture;
+}
+
 /// A file's bytes for the decoder. OpenImageIO's own reader goes to before the first byte where a
 /// file says that something lies there.
 class MemoryReader : public OIIO::Filesystem::IOMemReader {
@@ -143,7 +154,7 @@ auto opened(const std::string& bytes, ImageFormat format, const Take& take) {
 }
 
 Image decode(const std::string& bytes, ImageFormat format) {
-  Image image = opened(bytes, format, color_of);
+  Image image = format == ImageFormat::hdr ? read_radiance(bytes) : opened(bytes, format, color_of);
   check_finite(image);
   if (format == ImageFormat::png || format == ImageFormat::jpeg) {
     for (float& value : image.pixels) value = linear_from_srgb(value);
@@ -191,7 +202,8 @@ std::optional<ChannelPicture> read_channels(const std::filesystem::path& file,
                                             const Location& asked_at, Faults& faults) {
   return read_picture(file, asked_at, faults, nullptr,
                       [](const std::string& bytes, ImageFormat format) {
-                        return opened(bytes, format, all_channels_of);
+                        return format == ImageFormat::hdr ? channels_of(read_radiance(bytes))
+                                                          : opened(bytes, format, all_channels_of);
                       });
 }
 
