@@ -16,8 +16,9 @@
 
 namespace portalens {
 
-/// Three linear channels; 8-bit files are taken as sRGB. The kind is told by the file's first
-/// bytes. The header's size is checked against a budget before anything is allocated.
+/// Three linear channels, finite, but perhaps below 0; 8-bit files are taken as sRGB. Of an EXR the
+/// display window is the picture, black where it has no pixels. The kind is told by the file's
+/// first bytes. The header's size is checked against a budget before anything is allocated.
 /// @param asked_at  where the scene names the file
 /// @param digests   if given, gets the file's
 [[nodiscard]] std::optional<Image> read_image(const std::filesystem::path& file,

@@ -170,30 +170,38 @@ void check_exr_length(std::string_view type, Cursor value) {
 struct ExrCoding {
   std::int64_t lines, ratio;
 };
-// none, rle, zips, zip, piz, pxr24, b44, b44a, dwaa, dwab. Deflate shrinks to 1/1032; wavelets and
-// cosines shrink a plain colour to some 1/25,000.
+// Wavelets and cosines shrink a plain colour to some 1/25,000.
+constexpr std::int64_t strongest = 65536;
+// none, rle, zips, zip, piz, pxr24, b44, b44a, dwaa, dwab. Deflate shrinks to 1/1032.
 constexpr std::array<ExrCoding, 10> codings{{{1, 1},
                                              {1, 64},
                                              {1, 1032},
                                              {16, 1032},
-                                             {32, 65536},
+                                             {32, strongest},
                                              {16, 1376},
                                              {32, 16},
                                              {32, 16},
-                                             {32, 65536},
-                                             {256, 65536}}};
+                                             {32, strongest},
+                                             {256, strongest}}};
 
 /// What one part of an EXR file claims; the worst, where something is said twice.
 struct ExrPart {
   std::int64_t width = 0, height = 0, bytes_a_pixel = 0;
+  std::int64_t shown_width = 0, shown_height = 0;
   ExrCoding coding{256, 1};
   std::int64_t tile_width = 0, tile_height = 0;
 
+  static void widen(Cursor box, std::int64_t& across, std::int64_t& down) {
+    const std::int64_t x0 = box.little(), y0 = box.little();
+    across = std::max(across, box.little() - x0 + 1);
+    down = std::max(down, box.little() - y0 + 1);
+  }
+
   void attribute(std::string_view name, std::string_view type, Cursor value) {
     if (name == "dataWindow" && type == "box2i") {
-      const std::int64_t x0 = value.little(), y0 = value.little();
-      width = std::max(width, value.little() - x0 + 1);
-      height = std::max(height, value.little() - y0 + 1);
+      widen(value, width, height);
+    } else if (name == "displayWindow" && type == "box2i") {
+      widen(value, shown_width, shown_height);
     } else if (type == "chlist") {
       std::int64_t sum = 0;
       while (!value.at_zero()) {
@@ -220,6 +228,10 @@ struct ExrPart {
     check_size(width, height);
     if (bytes_a_pixel * width * height > 12 * max_image_pixels)
       throw Refusal{"has " + std::to_string(bytes_a_pixel) + " bytes a pixel", "use a smaller one"};
+    check_size(shown_width, shown_height);
+    // Where it has no pixels it is black. Each channel becomes floats, and there are three or more.
+    const std::int64_t shown_bytes = std::max<std::int64_t>(12, 2 * bytes_a_pixel);
+    check_room(shown_bytes * shown_width * shown_height, size, strongest);
     std::int64_t chunks = (height - 1) / coding.lines + 1;
     std::int64_t at_once = bytes_a_pixel * width * std::min(coding.lines, height);
     if (tile_width > 0) {

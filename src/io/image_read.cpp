@@ -19,6 +19,7 @@
 #include "io/image.h"
 #include "io/image_bytes.h"
 #include "io/image_claim.h"
+#include "io/image_window.h"
 #include "io/radiance.h"
 #include "io/srgb.h"
 
@@ -52,13 +53,23 @@ std::array<int, 3> color_channels(const OIIO::ImageSpec& spec) {
   return {0, 1, 2};
 }
 
+Window data_of(const OIIO::ImageSpec& spec) { return {spec.x, spec.y, spec.width, spec.height}; }
+Window display_of(const OIIO::ImageSpec& spec) {
+  return {spec.full_x, spec.full_y, spec.full_width, spec.full_height};
+}
+
 /// What the decoder found, held against the limits once more: it may read a header otherwise.
 void check_header(const OIIO::ImageSpec& spec) {
-  if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1 || spec.deep)
-    throw Refusal{"holds no flat picture", "save it as an ordinary picture"};
-  if (spec.width > max_image_side || spec.height > max_image_side ||
-      std::int64_t{spec.width} * spec.height > max_image_pixels)
-    throw Refusal{"has a size that its header hides", "save it again"};
+  for (const Window& window : {data_of(spec), display_of(spec)}) {
+    if (window.width < 1 || window.height < 1 || spec.nchannels < 1 || spec.deep)
+      throw Refusal{"holds no flat picture", "save it as an ordinary picture"};
+    if (window.width > max_image_side || window.height > max_image_side ||
+        std::int64_t{window.width} * window.height > max_image_pixels)
+      throw Refusal{"has a size that its header hides", "save it again"};
+  }
+  if (!share_a_pixel(data_of(spec), display_of(spec)))
+    throw Refusal{"shows nothing: its data window lies outside its display window",
+                  "move one of them"};
 }
 
 void read_planes(OIIO::ImageInput& input, int begin, int end, float* target) {
@@ -67,10 +78,8 @@ void read_planes(OIIO::ImageInput& input, int begin, int end, float* target) {
   }
 }
 
-/// The three colour planes of an open picture.
-Image color_of(OIIO::ImageInput& input) {
-  const OIIO::ImageSpec spec = input.spec();
-  check_header(spec);
+/// The three colour planes of an open picture's data window.
+Image color_of_data(OIIO::ImageInput& input, const OIIO::ImageSpec& spec) {
   Image image(spec.width, spec.height, 3);
   const std::array<int, 3> channels = color_channels(spec);
   if (channels[1] == channels[0] + 1 && channels[2] == channels[0] + 2) {
@@ -87,6 +96,18 @@ Image color_of(OIIO::ImageInput& input) {
   return image;
 }
 
+/// The three colour planes of an open picture.
+Image color_of(OIIO::ImageInput& input) {
+  const OIIO::ImageSpec spec = input.spec();
+  check_header(spec);
+  Image image = color_of_data(input, spec);
+  const Window display = display_of(spec);
+  image.pixels = shown(std::move(image.pixels), 3, data_of(spec), display);
+  image.width = display.width;
+  image.height = display.height;
+  return image;
+}
+
 void check_finite(const Image& image) {
   const auto broken = std::find_if(image.pixels.begin(), image.pixels.end(),
                                    [](float value) { return !std::isfinite(value); });
@@ -100,14 +121,17 @@ void check_finite(const Image& image) {
 ChannelPicture all_channels_of(OIIO::ImageInput& input) {
   const OIIO::ImageSpec spec = input.spec();
   check_header(spec);
-  if (std::int64_t{spec.width} * spec.height * spec.nchannels > 3 * max_image_pixels)
-    throw Refusal{"has " + std::to_string(spec.nchannels) + " channels", "use a smaller one"};
-  ChannelPicture picture{spec.width, spec.height, {}};
+  const Window data = data_of(spec), display = display_of(spec);
+  for (const Window& window : {data, display})
+    if (std::int64_t{window.width} * window.height * spec.nchannels > 3 * max_image_pixels)
+      throw Refusal{"has " + std::to_string(spec.nchannels) + " channels", "use a smaller one"};
+  ChannelPicture picture{display.width, display.height, {}};
   const auto pixels = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
   for (int c = 0; c < spec.nchannels; ++c) {
     Channel& channel = picture.channels.emplace_back(
         Channel{spec.channelnames[static_cast<std::size_t>(c)], std::vector<float>(pixels)});
     read_planes(input, c, c + 1, channel.values.data());
+    channel.values = shown(std::move(channel.values), 1, data, display);
   }
   return picture;
 }
