@@ -228,7 +228,8 @@ World compile(const Scene& scene, const CompileOptions& options) {
               {},
               {}};
   world.warnings = meshes.warnings();
-  for (std::string& warning : warnings_about(world)) world.warnings.push_back(std::move(warning));
+  for (const std::vector<std::string>& more : {images.warnings(), warnings_about(world)})
+    world.warnings.insert(world.warnings.end(), more.begin(), more.end());
   world.remarks = remarks_about(world);
   return world;
 }

@@ -1,5 +1,8 @@
 #include "world/image_store.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,6 +14,26 @@ namespace portalens {
 namespace {
 
 constexpr std::size_t budget = std::size_t{2} << 30;
+
+/// Makes negative values 0.
+/// @return what to tell of it; nothing if there were none
+std::optional<std::string> without_negatives(Image& image, const std::string& name) {
+  std::size_t count = 0, lowest = 0;
+  float least = 0.0F;
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    float& value = image.pixels[i];
+    if (value >= 0.0F) continue;
+    if (value < least) lowest = i;
+    least = std::min(least, value);
+    ++count;
+    value = 0.0F;
+  }
+  if (count == 0) return std::nullopt;
+  const std::size_t pixel = lowest / 3, width = static_cast<std::size_t>(image.width);
+  return fmt::format(
+      "the image {} has {} negative {}, taken for 0: the least is {:.4g}, at pixel ({}, {})",
+      in_quotes(name), count, count == 1 ? "value" : "values", least, pixel % width, pixel / width);
+}
 
 }  // namespace
 
@@ -31,6 +54,7 @@ std::shared_ptr<const Image> ImageStore::load(const std::filesystem::path& file,
     image = read_image(*path, asked_at, *faults_, digests_);
     if (!image) return nullptr;
     bytes_ += image->pixels.size() * sizeof(float);
+    if (auto warning = without_negatives(*image, name)) warnings_.push_back(std::move(*warning));
   }
   if (bytes_ > budget) {
     faults_->add(asked_at, "no memory is left for the image " + in_quotes(name),

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <vector>
 
 #include "io/image.h"
 #include "support/scene_text.h"
@@ -41,6 +42,24 @@ diffuse = "./p.exr"
   point.u = 0.25;
   point.v = 0.5;
   EXPECT_EQ(picture_of(materials[0]).at(point), (Rgb{0.25, 0.5, 0.75}));
+}
+
+TEST(Files, NegativePixelsBecomeBlackAndAreToldOnce) {
+  const Folder folder;
+  write_image(folder.path() / "p.exr", 2, 1,
+              {{"R", {0.25f, -0.5f}}, {"G", {-0.125f, 1}}, {"B", {0.75f, -0.0f}}}, {});
+  const World world = compiled(folder, R"(
+[environment]
+image = "p.exr"
+[[material]]
+diffuse = "p.exr"
+)");
+  EXPECT_EQ(world.appearance.environment.image->pixels,
+            (std::vector<float>{0.25f, 0.0f, 0.75f, 0.0f, 1.0f, 0.0f}));
+  ASSERT_EQ(world.warnings.size(), 1u);
+  EXPECT_EQ(world.warnings[0],
+            "the image 'p.exr' has 2 negative values, taken for 0: the least is -0.5, at pixel "
+            "(1, 0)");
 }
 
 TEST(Files, OutsideTheFolderAreReadOnlyIfAllowed) {
