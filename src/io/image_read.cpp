@@ -53,14 +53,16 @@ std::array<int, 3> color_channels(const OIIO::ImageSpec& spec) {
   return {0, 1, 2};
 }
 
-Window data_of(const OIIO::ImageSpec& spec) { return {spec.x, spec.y, spec.width, spec.height}; }
-Window display_of(const OIIO::ImageSpec& spec) {
+PixelWindow data_of(const OIIO::ImageSpec& spec) {
+  return {spec.x, spec.y, spec.width, spec.height};
+}
+PixelWindow display_of(const OIIO::ImageSpec& spec) {
   return {spec.full_x, spec.full_y, spec.full_width, spec.full_height};
 }
 
 /// What the decoder found, held against the limits once more: it may read a header otherwise.
 void check_header(const OIIO::ImageSpec& spec) {
-  for (const Window& window : {data_of(spec), display_of(spec)}) {
+  for (const PixelWindow& window : {data_of(spec), display_of(spec)}) {
     if (window.width < 1 || window.height < 1 || spec.nchannels < 1 || spec.deep)
       throw Refusal{"holds no flat picture", "save it as an ordinary picture"};
     if (window.width > max_image_side || window.height > max_image_side ||
@@ -101,7 +103,7 @@ Image color_of(OIIO::ImageInput& input) {
   const OIIO::ImageSpec spec = input.spec();
   check_header(spec);
   Image image = color_of_data(input, spec);
-  const Window display = display_of(spec);
+  const PixelWindow display = display_of(spec);
   image.pixels = shown(std::move(image.pixels), 3, data_of(spec), display);
   image.width = display.width;
   image.height = display.height;
@@ -121,8 +123,8 @@ void check_finite(const Image& image) {
 ChannelPicture all_channels_of(OIIO::ImageInput& input) {
   const OIIO::ImageSpec spec = input.spec();
   check_header(spec);
-  const Window data = data_of(spec), display = display_of(spec);
-  for (const Window& window : {data, display})
+  const PixelWindow data = data_of(spec), display = display_of(spec);
+  for (const PixelWindow& window : {data, display})
     if (std::int64_t{window.width} * window.height * spec.nchannels > 3 * max_image_pixels)
       throw Refusal{"has " + std::to_string(spec.nchannels) + " channels", "use a smaller one"};
   ChannelPicture picture{display.width, display.height, {}};

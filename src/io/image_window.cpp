@@ -16,17 +16,21 @@ Span shared(std::int64_t a, int a_count, std::int64_t b, int b_count) {
   return {std::max(a, b), std::min(a + a_count, b + b_count)};
 }
 
-Span shared_columns(const Window& a, const Window& b) { return shared(a.x, a.width, b.x, b.width); }
-Span shared_rows(const Window& a, const Window& b) { return shared(a.y, a.height, b.y, b.height); }
+Span shared_columns(const PixelWindow& a, const PixelWindow& b) {
+  return shared(a.x, a.width, b.x, b.width);
+}
+Span shared_rows(const PixelWindow& a, const PixelWindow& b) {
+  return shared(a.y, a.height, b.y, b.height);
+}
 
 }  // namespace
 
-bool share_a_pixel(const Window& a, const Window& b) {
+bool share_a_pixel(const PixelWindow& a, const PixelWindow& b) {
   return !shared_columns(a, b).is_empty() && !shared_rows(a, b).is_empty();
 }
 
-std::vector<float> shown(std::vector<float> pixels, int channels, const Window& data,
-                         const Window& display) {
+std::vector<float> shown(std::vector<float> pixels, int channels, const PixelWindow& data,
+                         const PixelWindow& display) {
   if (data == display) return pixels;
   std::vector<float> result(static_cast<std::size_t>(display.width) *
                             static_cast<std::size_t>(display.height) *

@@ -20,8 +20,8 @@ float value_at(std::int64_t x, std::int64_t y) { return static_cast<float>(100 *
 
 enum class Storage { lines, tiles };
 
-std::filesystem::path exr(const TemporaryFolder& folder, const Window& data, const Window& display,
-                          Storage storage) {
+std::filesystem::path exr(const TemporaryFolder& folder, const PixelWindow& data,
+                          const PixelWindow& display, Storage storage) {
   const auto file = folder.path() / "a.exr";
   OIIO::ImageSpec spec(data.width, data.height, 3, OIIO::TypeDesc::FLOAT);
   spec.x = static_cast<int>(data.x);
@@ -42,17 +42,17 @@ std::filesystem::path exr(const TemporaryFolder& folder, const Window& data, con
   return file;
 }
 
-bool within(const Window& window, std::int64_t x, std::int64_t y) {
+bool within(const PixelWindow& window, std::int64_t x, std::int64_t y) {
   return x >= window.x && x < window.x + window.width && y >= window.y &&
          y < window.y + window.height;
 }
 
 TEST(ImageWindow, OutsideTheDataWindowIsBlackAndBeyondTheDisplayWindowIsCut) {
   const TemporaryFolder folder;
-  const Window display{-3, 5, 21, 13};
-  const Window data[] = {display,        {0, 7, 4, 5},   {-20, -10, 80, 60}, {-9, 0, 12, 30},
-                         {17, 17, 9, 9}, {-7, 9, 60, 2}, {-4, 4, 2, 2}};
-  for (const Window& window : data)
+  const PixelWindow display{-3, 5, 21, 13};
+  const PixelWindow data[] = {display,        {0, 7, 4, 5},   {-20, -10, 80, 60}, {-9, 0, 12, 30},
+                              {17, 17, 9, 9}, {-7, 9, 60, 2}, {-4, 4, 2, 2}};
+  for (const PixelWindow& window : data)
     for (const Storage storage : {Storage::lines, Storage::tiles}) {
       const auto file = exr(folder, window, display, storage);
       Faults faults;
@@ -90,7 +90,8 @@ std::string refusal(const std::filesystem::path& file) {
 
 TEST(ImageWindow, APictureThatShowsNothingIsRefused) {
   const TemporaryFolder folder;
-  for (const Window& data : {Window{10, 0, 5, 5}, Window{0, -5, 5, 5}, Window{-9, -9, 5, 5}}) {
+  for (const PixelWindow& data :
+       {PixelWindow{10, 0, 5, 5}, PixelWindow{0, -5, 5, 5}, PixelWindow{-9, -9, 5, 5}}) {
     const auto file = exr(folder, data, {0, 0, 10, 10}, Storage::lines);
     EXPECT_NE(refusal(file).find("outside its display window"), std::string::npos);
   }
