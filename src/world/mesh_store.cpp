@@ -3,15 +3,16 @@
 #include <utility>
 
 #include "core/words.h"
+#include "math/smooth_normals.h"
 
 namespace portalens {
 
-std::optional<LoadedMesh> MeshStore::load(const Mesh& mesh, FileMaterials materials,
+std::optional<LoadedMesh> MeshStore::load(const Mesh& mesh, const MeshWanted& wanted,
                                           const Location& asked_at) {
   if (mesh.file().empty()) return std::nullopt;  // already told
   const auto path = resolve_file(scene_file_, mesh.file(), containment_, asked_at, *faults_);
   if (!path) return std::nullopt;
-  const Stored& found = stored(*path, materials, asked_at);
+  const Stored& found = stored(*path, wanted.materials, asked_at);
   if (found.file.triangles.corners.empty()) return std::nullopt;
   triangles_ += found.file.triangles.corners.size();
   if (triangles_ > max_triangles) {
@@ -19,7 +20,9 @@ std::optional<LoadedMesh> MeshStore::load(const Mesh& mesh, FileMaterials materi
                  "use fewer or coarser meshes");
     return std::nullopt;
   }
-  LoadedMesh loaded{mesh.loaded(found.file.triangles), found.first_material};
+  Triangles triangles = found.file.triangles;
+  if (wanted.crease) smooth_normals(triangles, *wanted.crease);
+  LoadedMesh loaded{mesh.loaded(std::move(triangles)), found.first_material};
   if (loaded.mesh.triangle_count() == 0) {
     faults_->add(asked_at, "no triangle of " + in_quotes(mesh.file()) + " has an area within 1e12",
                  "check 'scale' and 'translate'");

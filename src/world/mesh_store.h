@@ -23,6 +23,13 @@ struct LoadedMesh {
   std::optional<std::uint32_t> first_material;
 };
 
+/// What is wanted of a mesh's file.
+struct MeshWanted {
+  FileMaterials materials = FileMaterials::read;
+  /// If given, a file without normals gets them by vertex (math/smooth_normals.h), degrees.
+  std::optional<double> crease;
+};
+
 class MeshStore {
  public:
   /// @param scene_file  which the meshes' names are relative to
@@ -37,8 +44,7 @@ class MeshStore {
         digests_(&digests) {}
 
   /// The mesh with the triangles of its file; nothing after a fault.
-  /// @param materials  whether those of the file are wanted
-  [[nodiscard]] std::optional<LoadedMesh> load(const Mesh& mesh, FileMaterials materials,
+  [[nodiscard]] std::optional<LoadedMesh> load(const Mesh& mesh, const MeshWanted& wanted,
                                                const Location& asked_at);
 
   /// What the files' readers have warned of.

@@ -1,5 +1,6 @@
 #include "world/object_reader.h"
 
+#include <optional>
 #include <utility>
 
 #include "core/choice.h"
@@ -58,8 +59,9 @@ class ObjectReader {
 
   /// A mesh's file has materials of its own, unless the scene gives it one.
   void load(Mesh& mesh, Body& body, Parameters& parameters) {
-    const auto wanted =
-        parameters.has("material") ? FileMaterials::passed_over : FileMaterials::read;
+    MeshWanted wanted;
+    if (parameters.has("material")) wanted.materials = FileMaterials::passed_over;
+    if (parameters.has("smooth")) wanted.crease = parameters.number("smooth", {0.0, 180.0});
     auto loaded = context_.meshes.load(mesh, wanted, parameters.where("file"));
     if (!loaded) return;
     mesh = std::move(loaded->mesh);
