@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "io/lines.h"
+#include "io/obj_faces.h"
 #include "io/obj_reader.h"
+#include "io/tokens.h"
 
 namespace portalens {
 namespace {
@@ -21,7 +23,13 @@ bool contains(const std::array<std::string_view, count>& words, std::string_view
 }
 
 /// What a line says about the kind of its file.
-enum class Hint { nothing, dialect, ordinary, small_face, large_face };
+enum class Hint { nothing, dialect, ordinary, long_vertex, small_face, large_face };
+
+/// Whether every word after the first is a number.
+bool only_numbers(const std::vector<std::string_view>& words) {
+  return std::all_of(words.begin() + 1, words.end(),
+                     [](std::string_view word) { return parse_number(word).has_value(); });
+}
 
 /// So many of the words after the first are indices.
 std::size_t count_indices(const std::vector<std::string_view>& words) {
@@ -41,6 +49,7 @@ Hint hint_of(const std::vector<std::string_view>& words) {
   for (const std::string_view any : words) {
     if (contains(dialect, any)) return Hint::dialect;
   }
+  if (word == "v" && words.size() > 4 && only_numbers(words)) return Hint::long_vertex;
   const std::size_t values = count_indices(words);
   if (word == "s") return words.size() == 2 ? Hint::ordinary : Hint::dialect;  // or a sphere
   if (word == "r" || (word == "p" && values >= 5)) return Hint::dialect;
@@ -48,19 +57,24 @@ Hint hint_of(const std::vector<std::string_view>& words) {
   return values > 4 || (values > 0 && words[1][0] == '-') ? Hint::large_face : Hint::small_face;
 }
 
-/// One word of the dialect's own decides, and so does else one of ordinary OBJ. Where there is
-/// neither, a few small faces are a scene of quads; anything more is a mesh.
+/// One word of the dialect's own decides, and so does else one of ordinary OBJ, or a face that the
+/// dialect cannot have: of vertices with weights or colours, or not flat. Where there is neither, a
+/// few small faces are a scene of quads; anything more is a mesh.
 Kind kind_of(std::string_view text) {
   constexpr std::size_t few = 1000;
-  bool ordinary = false;
+  bool ordinary = false, long_vertices = false;
   std::size_t faces = 0;
+  PlainFaces plain;
   for (LineReader lines(text); lines.next();) {
     const Hint hint = hint_of(lines.words());
     if (hint == Hint::dialect) return Kind::dialect;
     ordinary |= hint == Hint::ordinary || hint == Hint::large_face;
+    long_vertices |= hint == Hint::long_vertex;
     faces += hint == Hint::small_face ? 1 : 0;
+    if (!ordinary && faces <= few) plain.take(lines.words());
   }
-  return ordinary || faces > few ? Kind::ordinary : Kind::dialect;
+  ordinary |= faces > few || (faces > 0 && long_vertices) || plain.bent();
+  return ordinary ? Kind::ordinary : Kind::dialect;
 }
 
 void read_as_mesh(const Location& whole, Scene& scene) {

@@ -278,7 +278,14 @@ TEST(ObjScene, TheKindOfAnObjIsToldByItsStatements) {
       {points + "s 1\nf 1 2 3 4\n", "mesh"},
       {points + "o m\nf 1 2 3 4\n", "mesh"},
       {points + "f 1 2 3 4 1\n", "mesh"},
-      {points + "f -1 -2 -3\n", "mesh"}};
+      {points + "f -1 -2 -3\n", "mesh"},
+      {"v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0 0 0 1\nf 1 2 3\n", "mesh"},   // colours
+      {"v 0 0 0 1\nv 1 0 0 1\nv 1 1 0 1\nf 1 2 3\n", "mesh"},               // weights
+      {points + "v 0 1 0.1\nf 1 2 3 4\nf 1/1 2/2 3/3 5/4\n", "mesh"},       // not flat
+      {points + "v 0 1 0.1\nf 1 2 3 5\nmass 2 s 0 0 0 1\n", "quad"},        // but a mass
+      {points + "v 0 1 5e-7\nf 1 2 3 5\n", "quad"},                         // flat enough
+      {"v 0 0 0 v 9 9 9\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 3 4 5\n", "quad"},  // two on a line
+      {"v 0 0\n0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n", "quad"}};
   for (const auto& [text, kind] : cases) {
     const Scene scene = scene_from("a.obj", text);
     ASSERT_FALSE(scene.objects.empty()) << text;
