@@ -77,11 +77,21 @@ Kind kind_of(std::string_view text) {
   return ordinary ? Kind::ordinary : Kind::dialect;
 }
 
+Value gray(double brightness, const Location& where) {
+  const Value channel{brightness, where};
+  return {Value::List{channel, channel, channel}, where};
+}
+
+/// The scene's one object is the scene's own file. Its camera and its lamps depend on its shape,
+/// and are chosen where that is known (world/stage.h).
 void read_as_mesh(const Location& whole, Scene& scene) {
-  const Value one{1.0, whole};
-  scene.environment.set("color", {Value::List{one, one, one}, whole});
+  constexpr double backdrop = 0.85, ambient = 0.22;
+  constexpr double crease = 40.0;  // degrees
+  scene.environment.set("color", gray(backdrop, whole));
+  scene.shading.set("ambient", gray(ambient, whole));
   Table mesh{"mesh", whole, {}};
   mesh.set("file", {scene.file.filename().string(), whole});
+  mesh.set("smooth", {crease, whole});
   scene.objects.push_back(std::move(mesh));
 }
 

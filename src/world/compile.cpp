@@ -15,6 +15,7 @@
 #include "world/mesh_store.h"
 #include "world/names.h"
 #include "world/object_reader.h"
+#include "world/stage.h"
 #include "world/table_kinds.h"
 #include "world/warnings.h"
 
@@ -160,6 +161,15 @@ Box extent_of(const Objects& objects) {
   return box;
 }
 
+Camera camera_of(const Scene& scene, const Objects& objects, const Film& film, Faults& faults) {
+  const bool staged = is_model_alone(scene) && !objects.shapes.empty();
+  const bool chosen = !staged && (!scene.has_camera || is_model_alone(scene));
+  const Table said = staged ? staged_camera(scene.camera, objects, film) : scene.camera;
+  return read_section(said, faults, [&](Parameters& parameters) {
+    return Camera::from(parameters, chosen ? std::optional<Box>(extent_of(objects)) : std::nullopt);
+  });
+}
+
 /// @param digests  by canonical path
 std::vector<UsedFile> used_files(const std::filesystem::path& scene, const Digests& digests) {
   std::error_code ignored;
@@ -202,15 +212,14 @@ World compile(const Scene& scene, const CompileOptions& options) {
   set_horizons(make_law(physics.law), objects.masses, physics.c);
   check_portal_gravity(scene, physics, objects, faults);
   check_cores(scene, physics, objects, faults);
-  const Camera camera = read_section(scene.camera, faults, [&](Parameters& parameters) {
-    return Camera::from(parameters,
-                        scene.has_camera ? std::nullopt : std::optional<Box>(extent_of(objects)));
-  });
+  const Camera camera = camera_of(scene, objects, film, faults);
   check_influences(scene, objects, extent_of(objects), camera.position, faults);
   faults.raise();
 
   look.materials = std::move(materials).take();
   for (NamedLight& light : emitters(objects, look.materials)) lights.push_back(std::move(light));
+  if (is_model_alone(scene))
+    for (NamedLight& light : stage_lights(camera, objects)) lights.push_back(std::move(light));
   for (NamedLight& light : lights) {
     look.light_names.push_back(std::move(light.name));
     look.lights.push_back(std::move(light.light));
@@ -231,6 +240,7 @@ World compile(const Scene& scene, const CompileOptions& options) {
   for (const std::vector<std::string>& more : {images.warnings(), warnings_about(world)})
     world.warnings.insert(world.warnings.end(), more.begin(), more.end());
   world.remarks = remarks_about(world);
+  if (is_model_alone(scene)) world.remarks.push_back(stage_remark(camera));
   return world;
 }
 

@@ -300,6 +300,7 @@ TEST(ObjScene, AnOrdinaryMeshIsASceneOfOneMesh) {
   ASSERT_EQ(scene.objects.size(), 1U);
   EXPECT_EQ(scene.objects[0].kind, "mesh");
   EXPECT_EQ(text_of(scene.objects[0], "file"), "bunny.obj");
+  EXPECT_EQ(number_of(scene.objects[0], "smooth"), 40.0);
 }
 
 }  // namespace
