@@ -99,7 +99,9 @@ void read_as_mesh(const Location& whole, Scene& scene) {
 
 void read_obj(std::string_view text, const std::shared_ptr<const std::string>& name, Scene& scene) {
   const Location whole{name, 0};
-  if (kind_of(text) == Kind::ordinary) {
+  if (is_utf16(text)) {
+    scene.faults.add(whole, "the file is in UTF-16", "save it as UTF-8");
+  } else if (kind_of(text) == Kind::ordinary) {
     read_as_mesh(whole, scene);
   } else if (text.size() > max_dialect) {
     scene.faults.add(whole, "longer than 64 MiB", "put its faces into a mesh");

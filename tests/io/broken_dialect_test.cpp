@@ -9,6 +9,7 @@ namespace portalens::test {
 namespace {
 
 constexpr Broken obj_form[] = {
+    {"16-bit letters", "\xff\xfev 0 0 0\n", 0, "save it as UTF-8"},
     {"too few coordinates", "v 1 2\nv 1 2 3\n", 1, "too few values after 'v'"},
     {"too many coordinates", "v 1 2 3\nv 1 2 3 4\n", 2, "too many values after 'v'"},
     {"nan", "v 0 0 0\nv 0 nan 0\n", 2, "'nan' is not a finite number"},
