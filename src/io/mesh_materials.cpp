@@ -15,7 +15,7 @@ namespace portalens {
 namespace {
 
 constexpr std::uint64_t max_mtl_bytes = std::uint64_t{16} << 20;
-constexpr std::size_t max_warned = 20;
+constexpr std::size_t max_warned = 20, max_files = 1000;
 
 /// As it is written where folders end with a slash.
 std::string with_slashes(std::string name) {
@@ -25,8 +25,8 @@ std::string with_slashes(std::string name) {
 
 }  // namespace
 
-MeshMaterials::MeshMaterials(std::filesystem::path file, Faults& faults,
-                             std::vector<Fault>& warnings, Digests* digests)
+MeshMaterials::MeshMaterials(std::filesystem::path file, Faults& faults, MeshWarnings& warnings,
+                             Digests* digests)
     : file_(std::move(file)),
       faults_(&faults),
       warnings_(&warnings),
@@ -42,11 +42,14 @@ void MeshMaterials::read(const std::vector<std::string_view>& words, const std::
 }
 
 void MeshMaterials::read_file(const std::string& name, const Location& where) {
+  if (names_.size() > max_files || !names_.insert(name).second) return;
+  if (names_.size() > max_files)
+    return faults_->add(where, "more than 1000 MTL files", "name fewer");
   if (is_missing(file_, name)) {
     any_missing_ = true;
-    warnings_->push_back({where, "there is no file " + in_quotes(name),
-                          "its materials are the default grey; put it beside the mesh, or give the "
-                          "mesh a material of the scene"});
+    warnings_->add(where, "there is no file " + in_quotes(name),
+                   "its materials are the default grey; put it beside the mesh, or give the "
+                   "mesh a material of the scene");
     return;
   }
   const auto file = resolve_file(file_, name, Containment::scene_folder, where, *faults_);
@@ -59,9 +62,9 @@ void MeshMaterials::read_file(const std::string& name, const Location& where) {
     const auto& key = std::get<std::string>(table.find("name")->data);
     if (by_name_.emplace(key, index).second)
       tables_.push_back(std::move(table));
-    else if (warnings_->size() < max_warned)
-      warnings_->push_back({table.where, "a second material " + in_quotes(key),
-                            "the first one counts; give this one another name"});
+    else
+      warnings_->add(table.where, "a second material " + in_quotes(key),
+                     "the first one counts; give this one another name");
   }
 }
 
@@ -73,10 +76,10 @@ void MeshMaterials::use(const std::string& name, const Location& where) {
     return;
   std::vector<std::string> known;
   for (const auto& [other, unused] : by_name_) known.push_back(other);
-  warnings_->push_back(
-      {where, "unknown material " + in_quotes(name),
-       "the default grey stands in; " + (known.empty() ? "no mtllib above names an MTL file"
-                                                       : suggestion_or_list(name, known))});
+  warnings_->add(
+      where, "unknown material " + in_quotes(name),
+      "the default grey stands in; " +
+          (known.empty() ? "no mtllib above names an MTL file" : suggestion_or_list(name, known)));
 }
 
 }  // namespace portalens

@@ -13,6 +13,7 @@
 
 #include "core/parameters.h"
 #include "io/digest.h"
+#include "io/mesh_warnings.h"
 
 namespace portalens {
 
@@ -22,7 +23,7 @@ class MeshMaterials {
  public:
   /// @param file     of the mesh: names are relative to its folder
   /// @param digests  if given, gets those of the MTL files
-  MeshMaterials(std::filesystem::path file, Faults& faults, std::vector<Fault>& warnings,
+  MeshMaterials(std::filesystem::path file, Faults& faults, MeshWarnings& warnings,
                 Digests* digests);
 
   /// `mtllib`: one file whose name has spaces, or several.
@@ -41,10 +42,11 @@ class MeshMaterials {
 
   std::filesystem::path file_;
   Faults* faults_;
-  std::vector<Fault>* warnings_;
+  MeshWarnings* warnings_;
   Digests* digests_;
   std::vector<Table> tables_;
   std::map<std::string, std::uint32_t> by_name_;
+  std::set<std::string> names_;  ///< of MTL files that have been asked for
   std::set<std::filesystem::path> read_;
   std::set<std::string> unknown_;  ///< names that have been warned of
   bool any_missing_ = false;       ///< an MTL file is: what it would say is not known

@@ -21,7 +21,7 @@ constexpr std::int64_t first_mirroring = 3;  // illum 3: "reflection on and ray 
 class MtlReader {
  public:
   MtlReader(std::string_view text, std::shared_ptr<const std::string> file, Faults& faults,
-            std::vector<Fault>& warnings)
+            MeshWarnings& warnings)
       : lines_(text), file_(std::move(file)), faults_(&faults), warnings_(&warnings) {}
 
   std::vector<Table> read() {
@@ -127,8 +127,8 @@ class MtlReader {
     const auto& words = lines_.words();
     const MapOptions options = map_options(words);
     for (const std::string& option : options.not_done)
-      warnings_->push_back({here(), in_quotes(option) + " of map_Kd is passed over",
-                            "the picture is laid on and shown as it is; bake the option into it"});
+      warnings_->add(here(), in_quotes(option) + " of map_Kd is passed over",
+                     "the picture is laid on and shown as it is; bake the option into it");
     std::string name = lines_.rest(options.name);
     if (name.empty()) faults_->add(here(), "map_Kd without a file", "write map_Kd FILE");
     std::replace(name.begin(), name.end(), '\\', '/');
@@ -138,7 +138,7 @@ class MtlReader {
   LineReader lines_;
   std::shared_ptr<const std::string> file_;
   Faults* faults_;
-  std::vector<Fault>* warnings_;
+  MeshWarnings* warnings_;
   std::vector<Table> materials_;
   std::optional<Value> specular_, picture_;
   std::int64_t illumination_ = 0;
@@ -147,7 +147,7 @@ class MtlReader {
 }  // namespace
 
 std::vector<Table> read_mtl(std::string_view text, const std::shared_ptr<const std::string>& name,
-                            Faults& faults, std::vector<Fault>& warnings) {
+                            Faults& faults, MeshWarnings& warnings) {
   if (is_utf16(text)) {
     faults.add({name, 0}, "the file is in UTF-16", "save it as UTF-8");
     return {};

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/parameters.h"
+#include "io/mesh_warnings.h"
 
 namespace portalens {
 
@@ -20,6 +21,6 @@ namespace portalens {
 /// @param warnings  gets what is passed over though it was meant
 [[nodiscard]] std::vector<Table> read_mtl(std::string_view text,
                                           const std::shared_ptr<const std::string>& name,
-                                          Faults& faults, std::vector<Fault>& warnings);
+                                          Faults& faults, MeshWarnings& warnings);
 
 }  // namespace portalens

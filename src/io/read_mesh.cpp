@@ -16,6 +16,7 @@
 #include "io/lines.h"
 #include "io/mesh_gaps.h"
 #include "io/mesh_materials.h"
+#include "io/mesh_warnings.h"
 #include "io/tokens.h"
 #include "math/triangulate.h"
 
@@ -62,7 +63,7 @@ class MeshReader {
     if (faults_->size() > before_) return {};
     std::vector<Table> materials = std::move(materials_).take();
     fill_gaps(mesh_, materials, {file_, 0});
-    return {std::move(mesh_), std::move(materials), std::move(warnings_)};
+    return {std::move(mesh_), std::move(materials), std::move(warnings_).take({file_, 0})};
   }
 
  private:
@@ -211,10 +212,10 @@ class MeshReader {
 
   void pass_over_free_form() {
     if (std::exchange(free_form_told_, true)) return;
-    warnings_.push_back(
-        {here(),
-         "curves and curved surfaces are passed over, from " + in_quotes(lines_.words()[0]) + " on",
-         "export the mesh as polygons"});
+    warnings_.add(
+        here(),
+        "curves and curved surfaces are passed over, from " + in_quotes(lines_.words()[0]) + " on",
+        "export the mesh as polygons");
   }
 
   void check_indices_ahead() {
@@ -237,7 +238,7 @@ class MeshReader {
   Faults* faults_;
   std::size_t before_;
   Triangles mesh_;
-  std::vector<Fault> warnings_;
+  MeshWarnings warnings_;
   MeshMaterials materials_;
   bool free_form_told_ = false;
   std::vector<Ahead> ahead_;

@@ -36,7 +36,8 @@ TEST(Render, WritesThePictureBesideTheUserAndSaysWhere) {
 TEST(Render, DrawsNoProgressWhenPiped) {
   const SceneFolder folder;
   folder.write("tiny.toml", tiny);
-  const Outcome outcome = run_portalens(folder.path(), {"render", "tiny.toml"});
+  const Outcome outcome =
+      run_portalens(folder.path(), {"render", "tiny.toml", "--set", "shading.ambient=[1, 1, 1]"});
   EXPECT_EQ(outcome.errors, "");
   EXPECT_EQ(outcome.output.find('\r'), std::string::npos);
 }

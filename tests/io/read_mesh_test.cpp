@@ -177,6 +177,16 @@ TEST(Mesh, OptionsOfMapsAreToldFromTheNameThatFollows) {
   EXPECT_EQ(std::get<std::string>(mesh.materials[0].find("diffuse")->data), "old wood.png");
 }
 
+TEST(Mesh, WarningsAreFewHoweverManyCausesThereAre) {
+  std::string many = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  for (int i = 0; i < 1000; ++i)
+    many +=
+        "mtllib none" + std::to_string(i) + ".mtl\nusemtl m" + std::to_string(i) + "\nf 1 2 3\n";
+  const MeshFile mesh = good_mesh(many);
+  ASSERT_EQ(mesh.warnings.size(), 21U);
+  EXPECT_EQ(mesh.warnings.back().problem, "980 more things are passed over or replaced");
+}
+
 TEST(Mesh, StatementsThatSayNothingOfTheShapeArePassedOver) {
   const std::string some = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
   const MeshFile plain = good_mesh(

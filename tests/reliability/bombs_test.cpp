@@ -145,8 +145,15 @@ std::vector<Bomb> mesh_bombs() {
       mesh("mesh: a face of a million corners", corner + "f " + repeated("1 ", mega) + "\n"),
       mesh("mesh: a million lines that go on", "v 0 0 0 " + repeated("\\\n", mega) + "f\n"),
       mesh("mesh: coordinates beyond floats", "v 0 0 1e300\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
-      mesh("mesh: a hundred thousand materials that are not there",
-           corner + repeated("usemtl x\nf 1 2 3\n", 100'000)),
+      mesh(
+          "mesh: two thousand MTL files that are not there",
+          corner +
+              [] {
+                std::string text;
+                for (int i = 0; i < 2000; ++i) text += "mtllib m" + std::to_string(i) + "\n";
+                return text;
+              }() +
+              "f 1 2 3\n"),
       mesh("mesh: its materials outside the folder",
            "mtllib ../../etc/passwd\n" + corner + "f 1 2 3\n"),
       mesh("mesh: more materials than are read", "mtllib m.mtl\n" + corner + "f 1 2 3\n",
