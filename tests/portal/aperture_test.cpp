@@ -73,7 +73,7 @@ TYPED_TEST(EachAperture, HoldsWhatItsOutlineGoesRound) {
       ASSERT_EQ(aperture.covers(x.x, x.y), round) << x.x << ' ' << x.y;
       ASSERT_EQ(aperture.within(x.x, x.y, 0.0), round);
     }
-    EXPECT_GT(inside, scaled(2000) / 100);
+    EXPECT_GT(inside, scaled(2000) / 200);
   }
 }
 
