@@ -262,7 +262,8 @@ struct Radau {
 
   /// η⁴ as a multiple of the tolerance, and λ at a tolerance of 1e-4: measured against the closed
   /// forms of one mass from near capture to far (tests/photon/closed_forms_test.cpp holds them to
-  /// it).
+  /// it). The last digits, like those of `path_weight`, were fitted on benchmarks/scenes: with them
+  /// no median, percentile or greatest error there is above what it was before steps were judged.
   static constexpr double error_share = 101.12;
   static constexpr double longest_share = 0.6498;
   /// Of the tolerance in λ. By 1/7 the error at a step's end would stay the same share of the

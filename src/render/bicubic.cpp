@@ -24,10 +24,12 @@ Vec3d unit(Vec3d a) {
 /// is only reported, and moves no light.
 constexpr float turning_counts = 1.0f / 4.0f;
 
-/// The largest third difference of directions, in tolerances. Of a smooth function the polynomial
-/// errs by less than a fortieth of it; of one that bends sharply between two nodes, as gravity
-/// through portals lets it, by a quarter and more.
-constexpr double max_in_tolerances = 40.0;
+/// The largest third difference of directions, in tolerances. Beside where influences begin, as
+/// beside a square root's zero, the polynomial errs by a fortieth of it. Where gravity through
+/// portals bends sharply between two nodes it errs by a quarter and more.
+double max_in_tolerances(const Space& space) {
+  return std::holds_alternative<NoCoupling>(space.coupling) ? 400.0 : 40.0;
+}
 
 /// How much rougher what is absorbed may be.
 constexpr double absorbed_may_differ = 8.0;
@@ -82,7 +84,7 @@ double Bicubic::through(const Space& space, const ProbeRays& probe_rays, const P
       [&](std::size_t n) { return values[n].turn; },
       [&](Four third) { return square(third) + turning_counts * third[3] * third[3]; }));
   const double max_turn = std::min(most * (pixel.angle + pixel.aside / space.extent),
-                                   max_in_tolerances * space.physics.tolerance);
+                                   max_in_tolerances(space) * space.physics.tolerance);
   double roughness = turned / max_turn;
   // Nothing is told of those but that they are absorbed; light may pass where they differ much.
   if (model.fate == Fate::absorbed) return roughness / absorbed_may_differ;

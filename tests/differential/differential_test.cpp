@@ -96,6 +96,19 @@ TEST(RandomPictures, ShowNothingThatNoPhotonAboutItFound) {
   }
 }
 
+/// Where gravity through portals bends light sharply between probe rays: once 586, 287 and 209
+/// pixels of these were off.
+TEST(RandomPictures, KeepTheToleranceBesideSharpBends) {
+  for (const std::uint64_t index : {91, 122, 199}) {
+    const SceneFolder folder;
+    const PictureComparison found =
+        compare_pictures(set_up(random_picture(1380649, index), folder));
+    ASSERT_TRUE(found.interpolates);
+    EXPECT_GT(found.interpolated, found.pixels / 2) << index;
+    EXPECT_LT(found.over10 + found.other_way, 30u) << index;
+  }
+}
+
 TEST(Minimised, KeepsWhatThePhotonIsWrongByAndDropsTheRest) {
   Draft draft = random_scene(1, 0);
   Lot lot(1, 2);
