@@ -187,6 +187,15 @@ TEST(Mesh, WarningsAreFewHoweverManyCausesThereAre) {
   EXPECT_EQ(mesh.warnings.back().problem, "980 more things are passed over or replaced");
 }
 
+TEST(Mesh, AMaterialThatIsMissingIsToldOnce) {
+  std::string many = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  for (int i = 0; i < 100'000; ++i) many += "usemtl x\nf 1 2 3\n";
+  const MeshFile mesh = good_mesh(many);
+  EXPECT_EQ(mesh.triangles.corners.size(), 100'000U);
+  ASSERT_EQ(mesh.warnings.size(), 1U);
+  EXPECT_EQ(mesh.warnings[0].where.line, 4);
+}
+
 TEST(Mesh, StatementsThatSayNothingOfTheShapeArePassedOver) {
   const std::string some = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
   const MeshFile plain = good_mesh(
