@@ -7,7 +7,7 @@ DEMO_SCENE ?= scenes/demo.toml
 DEMO_PICTURE ?= $(BUILD)/demo.png
 sources = $(shell find src include tests benchmarks fuzz examples -name '*.h' -o -name '*.cpp')
 
-.PHONY: all demo test test-long differential fuzz bench format clean
+.PHONY: all demo test test-long differential fuzz bench install format clean
 
 all: $(BUILD)/build.ninja
 	@cmake --build $(BUILD) --parallel $(JOBS)
@@ -46,6 +46,12 @@ fuzz:
 
 bench: all
 	@set -e; for program in $(BUILD)/benchmarks/bench_*; do echo "== $${program##*/}"; $$program; done
+
+# Program, manual page, completions, scenes and library: make install PREFIX=$$HOME/.local
+PREFIX ?= /usr/local
+install: $(BUILD)/build.ninja
+	@cmake --build $(BUILD) --parallel $(JOBS) --target portalens
+	@cmake --install $(BUILD) --prefix $(PREFIX)
 
 format:
 	@clang-format-14 -i $(sources)

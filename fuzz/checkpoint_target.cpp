@@ -9,6 +9,7 @@
 #include "app/output.h"
 #include "app/report.h"
 #include "checkpoint_partials.h"
+#include "io/override.h"
 #include "io/read_scene.h"
 #include "laws.h"
 #include "render/merge.h"

@@ -9,6 +9,7 @@
 #include "app/describe.h"
 #include "gravity/coupling.h"
 #include "io/image.h"
+#include "io/override.h"
 #include "io/read_scene.h"
 #include "laws.h"
 #include "render/layers.h"

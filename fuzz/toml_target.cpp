@@ -1,6 +1,7 @@
 // The native format: any bytes as a scene's TOML, and as the value of a --set.
 #include <string>
 
+#include "io/override.h"
 #include "io/read_scene.h"
 #include "io/toml.h"
 #include "laws.h"

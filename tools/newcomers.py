@@ -168,7 +168,9 @@ struct NewcomerLight {
   static NewcomerLight from(Parameters& p) {
     return {to_vec3(p.triple("position")), to_vec3(p.triple("intensity"))};
   }
-  LightSample sample(Vec3d, double, double) const { return {position, {}, intensity}; }
+  LightSample sample(Vec3d x, double, double) const {
+    return {position, intensity / dot(position - x, position - x)};
+  }
   double area() const { return 0.0; }
   Rgb power() const { return intensity * (4.0 * std::numbers::pi); }
 };

@@ -43,7 +43,7 @@ void demand_sound(const Errors& errors, const std::string& what, double pixels) 
 }
 
 double pixel_angle(const World& world) {
-  const auto [width, height] = world.film;
+  const int width = world.film.width, height = world.film.height;
   const Ray one = world.camera.ray(0.5 * width, 0.5 * height, width, height);
   const Ray next = world.camera.ray(0.5 * width, 0.5 * height + 1.0, width, height);
   return length(one.direction - next.direction);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "io/files.h"
+#include "io/override.h"
 #include "io/read_scene.h"
 #include "lanes/engine.h"
 #include "math/random.h"

@@ -6,6 +6,7 @@
 
 #include "api/access.h"
 #include "core/words.h"
+#include "io/override.h"
 #include "io/read_scene.h"
 #include "io/vocabulary.h"
 

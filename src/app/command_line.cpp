@@ -36,6 +36,13 @@ void spell_out_negative_fractions(std::vector<std::string>& arguments) {
       word.insert(1, "0");
 }
 
+/// `help` asks for the same as `--help`, `help render` as `render --help`.
+void spell_out_help(std::vector<std::string>& arguments) {
+  if (arguments.empty() || arguments.front() != "help") return;
+  arguments.erase(arguments.begin());
+  arguments.emplace_back("--help");
+}
+
 /// The text in rows of no more characters than that, unless a word is longer.
 std::string in_rows(const std::string& text, std::size_t most) {
   std::string rows;
@@ -109,6 +116,7 @@ int run_command_line(std::vector<std::string> arguments) {
   add_draw_command(program, chosen);
 
   spell_out_negative_fractions(arguments);
+  spell_out_help(arguments);
   std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them
   try {
     program.parse(std::move(arguments));

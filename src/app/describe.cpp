@@ -8,6 +8,7 @@
 #include <span>
 #include <variant>
 
+#include "app/beyond.h"
 #include "app/machine_memory.h"
 #include "app/report.h"
 #include "render/manner.h"
@@ -57,6 +58,7 @@ Json portals_json(const World& world) {
   Json list = Json::array();
   for (const Portal& portal : portals) {
     const auto [width, height] = size_of(portal);
+    const auto camera = beyond(portal, place_of(world.camera));
     list.push_back(
         {{"name", portal.name},
          {"pair", portals[portal.pair].name},
@@ -68,7 +70,8 @@ Json portals_json(const World& world) {
          {"tint", to_json(portal.tint)},
          {"back", portal.two_sided       ? "portal"
                   : portal.back_material ? world.appearance.materials[*portal.back_material].name
-                                         : "open"}});
+                                         : "open"},
+         {"camera_beyond", camera ? to_json(*camera) : Json()}});
   }
   return list;
 }
@@ -164,6 +167,8 @@ std::string portal_text(const World& world, const Portal& portal) {
   if (portal.two_sided) text += ", and back to back";
   if (portal.back_material)
     text += ", back " + world.appearance.materials[*portal.back_material].name;
+  if (const auto camera = beyond(portal, place_of(world.camera)))
+    text += "\n    a camera that went through: " + as_toml(*camera);
   return text + '\n';
 }
 

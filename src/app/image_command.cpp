@@ -1,5 +1,6 @@
 /// \file
-/// `portalens image`: a layer as a picture with a legend, and how much two pictures differ.
+/// `portalens image`: a picture as another kind of file, a layer as a picture with a legend, and
+/// how much two pictures differ.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -12,6 +13,7 @@
 #include <set>
 
 #include "app/command.h"
+#include "app/development_options.h"
 #include "app/false_color.h"
 #include "app/json.h"
 #include "io/image.h"
@@ -28,6 +30,8 @@ struct ImageArguments {
   std::optional<double> threshold;
   std::string measure = "max";
   bool json = false;
+  Development development;
+  std::vector<CLI::Option*> developing;  ///< the options that say how
 };
 
 [[noreturn]] void refuse(const std::string& problem, const std::string& remedy) {
@@ -99,6 +103,20 @@ Image vector_picture(const ChannelPicture& picture, const std::string& layer,
   return image;
 }
 
+Image read_color(const std::filesystem::path& file) {
+  Faults faults;
+  auto image = read_image(file, Location{}, faults);
+  faults.raise();
+  return std::move(*image);
+}
+
+int develop(const ImageArguments& arguments) {
+  check_writable(arguments.output);
+  const Image image = developed(read_color(arguments.file), arguments.development);
+  write_image(arguments.output, image.width, image.height, color_channels(image), {});
+  return exit_done;
+}
+
 int show_layer(const ImageArguments& arguments) {
   check_writable(arguments.output);
   const ChannelPicture picture = read_layers(arguments.file);
@@ -128,13 +146,6 @@ struct Comparison {
   int x = 0, y = 0;  ///< where it is largest
   Plane differences;
 };
-
-Image read_color(const std::filesystem::path& file) {
-  Faults faults;
-  auto image = read_image(file, Location{}, faults);
-  faults.raise();
-  return std::move(*image);
-}
 
 Comparison comparison_of(const Image& a, const Image& b) {
   Comparison result;
@@ -196,15 +207,21 @@ int compare(const ImageArguments& arguments) {
   return alike ? exit_done : exit_work_failed;
 }
 
-/// Which of the two was asked for, or why neither.
+/// Which of the three was asked for, or why none.
 Command command_of(const std::shared_ptr<ImageArguments>& arguments) {
+  const auto asked = [](const CLI::Option* option) { return option->count() > 0; };
+  const bool develops =
+      std::any_of(arguments->developing.begin(), arguments->developing.end(), asked);
+  if (develops && (!arguments->layer.empty() || !arguments->compared.empty()))
+    throw CLI::ExcludesError("--exposure, --tone and --white-balance", "--layer and --compare");
   const bool shows = !arguments->file.empty() || !arguments->layer.empty();
   if (!arguments->compared.empty()) {
     if (shows) throw CLI::ExcludesError("--compare", "FILE and --layer");
     return [arguments] { return compare(*arguments); };
   }
-  if (arguments->file.empty() || arguments->layer.empty() || arguments->output.empty())
-    throw CLI::RequiredError("FILE, --layer and -o, or --compare A B,");
+  if (arguments->file.empty() || arguments->output.empty())
+    throw CLI::RequiredError("FILE and -o, or --compare A B,");
+  if (arguments->layer.empty()) return [arguments] { return develop(*arguments); };
   return [arguments] { return show_layer(*arguments); };
 }
 
@@ -212,9 +229,11 @@ Command command_of(const std::shared_ptr<ImageArguments>& arguments) {
 
 void add_image_command(CLI::App& program, Command& chosen) {
   const auto arguments = std::make_shared<ImageArguments>();
-  CLI::App& command =
-      *program.add_subcommand("image", "Show a layer of a picture, or compare two pictures");
-  command.add_option("FILE", arguments->file, "A picture with layers (render --layers)");
+  CLI::App& command = *program.add_subcommand(
+      "image", "Turn a picture into another kind, show a layer, or compare two");
+  command.add_option("FILE", arguments->file,
+                     "A picture: EXR, PNG, HDR or JPEG; with layers by render --layers");
+  arguments->developing = add_development_options(command, arguments->development);
   CLI::Option* layer = command
                            .add_option("--layer", arguments->layer,
                                        "The layer to show in colours with a legend, or a channel")
@@ -244,12 +263,13 @@ void add_image_command(CLI::App& program, Command& chosen) {
       ->check(CLI::IsMember({"mean", "p99", "max"}));
   command
       .add_option("-o,--output", arguments->output,
-                  "The picture to write, .png or .exr; of a comparison, its differences")
+                  "The picture to write, .png, .jpg or .exr; of a comparison, its differences")
       ->type_name("FILE");
   command.add_flag("--json", arguments->json, "Print the differences as one JSON object")
       ->needs(compared);
   command.footer(R"(
 Examples:
+  portalens image scene.exr -o scene.png --exposure 1 --tone filmic
   portalens image scene.exr --layer turning -o turning.png
   portalens image --compare a.png b.png --threshold 0.01 -o difference.png)");
   command.callback([arguments, &chosen] { chosen = command_of(arguments); });

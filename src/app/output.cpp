@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "app/development_options.h"
 #include "app/report.h"
 #include "io/files.h"
 
@@ -23,14 +24,17 @@ void check_output(const std::filesystem::path& file, const Assignment& assignmen
   if (!assignment.whole_pixels())
     refuse(file.string() + " can't hold some samples of each pixel",
            "name a .part file with -o, and merge it with the others");
-  if (!assignment.layers.empty() && file.extension() != ".exr")
+  if (!assignment.layers.empty() && !keeps_light(file))
     refuse("--layers: " + file.string() + " can't hold layers", "name an .exr file with -o");
 }
 
 void write_picture(const std::filesystem::path& file, const RenderResult& result,
                    const Provenance& provenance, Packing packing) {
   std::vector<ChannelView> channels;
-  const std::span<const float> colors(result.image.pixels);
+  const Development development = development_in(provenance.metadata);
+  const bool plain = keeps_light(file) || development.changes_nothing();
+  const Image shown = plain ? Image{} : developed(result.image, development);
+  const std::span<const float> colors(plain ? result.image.pixels : shown.pixels);
   for (const char* name : {"R", "G", "B"})
     channels.push_back({name, colors.subspan(channels.size()), 3});
   for (const Channel& layer : result.layers) channels.push_back({layer.name, layer.values});

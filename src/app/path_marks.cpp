@@ -146,7 +146,7 @@ std::string told(const World& world, const DrawnPath& path, std::size_t crossing
       break;
     case Fate::lost:
       text += "lost";
-      if (trace.end.crossings >= world.space.max_crossings)
+      if (trace.end.out_of_crossings)
         text +=
             fmt::format(" at its next crossing (max_crossings = {})", world.space.max_crossings);
       break;

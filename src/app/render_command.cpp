@@ -14,10 +14,12 @@
 #include "app/display_server.h"
 #include "app/machine_memory.h"
 #include "app/output.h"
+#include "app/picture_lock.h"
 #include "app/progress_bar.h"
 #include "app/render_options.h"
 #include "app/report.h"
 #include "io/files.h"
+#include "io/override.h"
 #include "io/read_scene.h"
 #include "render/parallel.h"
 
@@ -123,8 +125,8 @@ void warn(const World& world) {
 int render_scene(RenderArguments& arguments) {
   Signals signals;
   const Scene scene = asked_scene(arguments);
-  const std::filesystem::path picture =
-      arguments.output.value_or(arguments.scene.file.stem().string() + ".png");
+  const std::filesystem::path picture = arguments.output.value_or(
+      arguments.scene.file.stem().string() + (arguments.layers.empty() ? ".png" : ".exr"));
   if (!is_part(picture)) check_writable(picture);  // before a scene that takes long to compile
   const World world = compile_with_options(scene, arguments.scene);
   const Assignment assignment = assignment_of(world, asked_options(arguments, world));
@@ -132,6 +134,7 @@ int render_scene(RenderArguments& arguments) {
   check_output(picture, assignment);
   look_at_memory(world, assignment, arguments);
   check_replaceable(checkpoint_of(picture));
+  const PictureLock lock(picture);
   const Provenance provenance = provenance_of(scene, world, arguments);
   const auto exposure = begun_exposure(checkpoint_of(picture),
                                        arguments.resume    ? Found::resume

@@ -8,11 +8,21 @@
 #include <map>
 
 #include "app/choices.h"
+#include "app/development_options.h"
 #include "app/shell_word.h"
 #include "render/layers.h"
 
 namespace portalens {
 namespace {
+
+constexpr const char* all_layers = "all";
+
+/// What --layers takes.
+std::vector<std::string> layer_words() {
+  std::vector<std::string> words(layer_names.begin(), layer_names.end());
+  words.emplace_back(all_layers);
+  return words;
+}
 
 /// An option that stands for a value of the scene.
 void add_override(CLI::App& command, RenderArguments& arguments, const std::string& option,
@@ -28,15 +38,20 @@ void add_override(CLI::App& command, RenderArguments& arguments, const std::stri
 /// Which part of which picture.
 void add_picture_options(CLI::App& command, RenderArguments& arguments) {
   command
-      .add_option("-o,--output", arguments.output,
-                  "Picture to write: .png, or .exr (linear, with all the settings), or .part (for "
-                  "portalens merge); by default the scene's name with .png, in the current folder")
+      .add_option(
+          "-o,--output", arguments.output,
+          "Picture to write: .png or .jpg, or .exr (linear, with all the settings), or .part "
+          "(for portalens merge); by default the scene's name in the current folder, with "
+          ".png, or .exr if --layers are asked for")
       ->type_name("FILE");
   add_override(command, arguments, "--width", "film.width",
                "Width of the picture, pixels; if it is given alone, the height follows");
   add_override(command, arguments, "--height", "film.height",
                "Height of the picture, pixels; if it is given alone, the width follows");
   add_override(command, arguments, "--samples", "sampler.samples", "Camera samples a pixel");
+  add_development_overrides(command, [&arguments](const char* key, const std::string& value) {
+    arguments.overrides.emplace_back(key, value);
+  });
   add_crop_option(command, arguments.crop,
                   "Take only the pixels X0 <= x < X1, Y0 <= y < Y1, from the top left");
   command
@@ -47,9 +62,9 @@ void add_picture_options(CLI::App& command, RenderArguments& arguments) {
   command
       .add_option("--layers", arguments.layers,
                   "Write these, too, beside the picture's R, G, B (an .exr file): " +
-                      fmt::format("{}", fmt::join(layer_names, ", ")))
+                      fmt::format("{}", fmt::join(layer_names, ", ")) + "; or all")
       ->delimiter(',')
-      ->check(CLI::IsMember(std::vector<std::string>(layer_names.begin(), layer_names.end())))
+      ->check(CLI::IsMember(layer_words()))
       ->type_name("NAME,...");
 }
 
@@ -123,8 +138,9 @@ std::int64_t side_in(const Scene& scene, const char* key, int otherwise) {
 std::vector<Layer> asked_layers(const std::vector<std::string>& names) {
   std::vector<Layer> layers;
   for (int i = 0; i < layer_count; ++i)
-    if (std::any_of(names.begin(), names.end(),
-                    [&](const std::string& name) { return name == layer_names[i]; }))
+    if (std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+          return name == all_layers || name == layer_names[i];
+        }))
       layers.push_back(static_cast<Layer>(i));
   return layers;
 }
@@ -197,7 +213,8 @@ std::string scene_words(const RenderArguments& arguments) {
   std::string words = shell_word(arguments.scene.file.string());
   for (const std::string& setting : arguments.scene.settings)
     words += " --set " + shell_word(setting);
-  for (const auto& [key, value] : arguments.overrides) words += " --set " + key + "=" + value;
+  for (const auto& [key, value] : arguments.overrides)
+    words += " --set " + shell_word(key + "=" + value);
   if (arguments.scene.allow_outside_files) words += " --allow-outside-files";
   return words;
 }

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "app/development_options.h"
 #include "app/progress_bar.h"
 #include "core/words.h"
 #include "portalens/version.h"
@@ -109,6 +110,8 @@ std::string statistics_text(const RenderResult& result, const Provenance& proven
   for (int i = 0; i < fate_count; ++i)
     line("", fmt::format("{:<10}{:>12}  {:6.2f} %", fate_names[i], tally.fates[i],
                          100.0 * per(tally.fates[i], photons)));
+  if (tally.out_of_crossings > 0)
+    line("", fmt::format("{} of those lost ran out of crossings", tally.out_of_crossings));
   line("steps a photon", fmt::format("{:.2f}", per(tally.steps, photons)));
   if (tally.handed_over > 0) line("left to scalar", handed_over_text(tally));
   line("crossings", fmt::format("{}", tally.crossings));
@@ -141,6 +144,7 @@ Json statistics_json(const RenderResult& result, const Provenance& provenance,
       {"interpolated", tally.interpolated},
       {"probe_rays", tally.probe_rays},
       {"fates", fates},
+      {"lost_by_crossings", tally.out_of_crossings},
       {"not_finite", tally.not_finite},
       {"steps", tally.steps},
       {"steps_handed_over", tally.handed_over},
@@ -174,7 +178,9 @@ Metadata view_metadata(const World& world) {
           {"portalens:environment",
            sky.image ? fmt::format("a picture, turned by {} degrees", sky.rotation)
                      : vector_text(sky.color)},
-          {"portalens:lost_color", vector_text(world.appearance.limits.lost_color)}};
+          {"portalens:lost_color", vector_text(world.appearance.limits.lost_color)},
+          {"portalens:lost_by_crossings",
+           world.appearance.limits.lost_color_given ? "lost_color" : "environment"}};
 }
 
 }  // namespace
@@ -205,6 +211,8 @@ Metadata world_metadata(const World& world, const RenderOptions& options) {
       {"portalens:shadow_samples", fmt::format("{}", limits.shadow_samples)},
       {"portalens:ambient", vector_text(limits.ambient)}};
   for (auto& entry : view_metadata(world)) metadata.push_back(std::move(entry));
+  for (auto& entry : development_metadata(world.film.development))
+    metadata.push_back(std::move(entry));
   for (auto& entry : manner_metadata(manner_of(world, options)))
     metadata.push_back(std::move(entry));
   return metadata;
@@ -236,9 +244,12 @@ std::string complaint(const Tally& tally) {
   const auto add = [&](std::uint64_t count, const char* what) {
     if (count > 0) text += fmt::format("note: {} {}\n", count, what);
   };
-  add(count_of(tally, Fate::lost),
-      "photons were lost (shading.lost_color): they ran out of physics.max_steps, "
-      "physics.max_length or shading.max_crossings, or came where a pull has no bound");
+  add(tally.out_of_crossings,
+      "photons were lost at the portal after shading.max_crossings others: they show the "
+      "environment, or shading.lost_color if that is given");
+  add(count_of(tally, Fate::lost) - tally.out_of_crossings,
+      "photons were lost (shading.lost_color): they ran out of physics.max_steps or "
+      "physics.max_length, or came where a pull has no bound");
   add(count_of(tally, Fate::trapped),
       "photons were trapped (black): they turned by more than physics.max_turning");
   add(tally.not_finite,

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "io/override.h"
 #include "io/read_scene.h"
 #include "world/compile.h"
 
@@ -13,9 +14,9 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
       ->type_name("SCENE");
   command
       .add_option("--set", options.settings,
-                  "Set a value as if the file said so, for instance physics.tolerance=1e-6; may be "
-                  "repeated")
-      ->type_name("SECTION.KEY=VALUE")
+                  "Set a value as if the file said so, for instance physics.tolerance=1e-6 or "
+                  "sphere.ball.radius=2; may be repeated")
+      ->type_name("PATH=VALUE")
       ->take_all()
       ->allow_extra_args(false);
   command.add_flag("--allow-outside-files", options.allow_outside_files,

@@ -4,6 +4,8 @@
 
 #include <numbers>
 
+#include "app/beyond.h"
+
 namespace portalens {
 namespace {
 
@@ -65,6 +67,7 @@ Json trace_json(const World& world, const Trace& trace, int max_bounces, PathOut
                {"turning", end.turning},
                {"crossings", crossings},
                {"steps", end.steps}};
+  if (const auto camera = beyond(world, trace)) json["camera_beyond"] = to_json(*camera);
   if (max_bounces > 0 || trace.view) json["bounces"] = bounces_json(world, trace);
   if (trace.view) {
     const Vec3d x = trace.start.position, t = trace.start.direction;
@@ -108,6 +111,8 @@ std::string trace_text(const World& world, const Trace& trace, PathOutput path) 
       text += fmt::format("; image of order {}", trace.view->first_hit.order);
   }
   text += '\n';
+  if (const auto camera = beyond(world, trace))
+    text += "a camera that went through: " + as_toml(*camera) + '\n';
   if (path == PathOutput::included)
     for (std::size_t i = 0; i < trace.path_trace.stretches.size(); ++i) {
       text += fmt::format("  stretch {}\n", i);

@@ -7,6 +7,7 @@
 #include "geometry/clearance.h"
 #include "geometry/extent.h"
 #include "geometry/polygon.h"
+#include "math/triangle_sample.h"
 
 namespace portalens {
 namespace {
@@ -109,6 +110,29 @@ SurfacePoint Cube::sample(double u1, double u2) const {
     }
     at -= width * height;
   }
+}
+
+/// From outside those faces are seen that look at x, from inside all.
+SeenSurface Cube::sample_seen(Vec3d x, double u1, double u2) const {
+  const Vec3d local = pose_.to_local(x);
+  const bool inside = Solid{half_}.depth(local) >= 0.0;
+  std::array<TriangleCorners, 12> triangles;
+  std::array<std::uint32_t, 6> faces;
+  std::size_t seen = 0;
+  for (std::uint32_t face = 0; face < 6; ++face) {
+    const FaceAxes& axes = face_axes[face];
+    const Vec3d middle = axes.normal * extent(axes.normal, half_);
+    if (!inside && !(dot(local - middle, axes.normal) > 0.0)) continue;
+    const Vec3d right = axes.right * extent(axes.right, half_);
+    const Vec3d up = axes.up * extent(axes.up, half_);
+    const Vec3d first = middle - right - up, opposite = middle + right + up;
+    triangles[2 * seen] = {first, middle + right - up, opposite};
+    triangles[2 * seen + 1] = {first, opposite, middle - right + up};
+    faces[seen++] = face;
+  }
+  const auto [position, solid_angle, which] =
+      sample_triangles(std::span(triangles).first(2 * seen), local, u1, u2);
+  return {surface_at(pose_.to_world(position), faces[which / 2]), solid_angle};
 }
 
 std::vector<FlatFace> Cube::flat_faces() const {

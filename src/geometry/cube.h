@@ -32,6 +32,7 @@ class Cube {
   [[nodiscard]] Vec3d center_of_mass() const { return pose_.middle(); }
   [[nodiscard]] double area() const;
   [[nodiscard]] SurfacePoint sample(double u1, double u2) const;
+  [[nodiscard]] SeenSurface sample_seen(Vec3d x, double u1, double u2) const;
   [[nodiscard]] std::vector<FlatFace> flat_faces() const;
 
  private:

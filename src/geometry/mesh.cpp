@@ -204,6 +204,23 @@ SurfacePoint Mesh::surface_at(Vec3d x, std::uint32_t face) const {
   return point;
 }
 
+Vec3d Mesh::bulge_at(Vec3d x, std::uint32_t face, double side) const {
+  constexpr double least_cosine = 0.7;  // a cube whose normals are smoothed is no ball
+  const Triangles& all = data_->triangles;
+  if (all.normals.empty()) return {};
+  const auto t = triangle(face);
+  const Vec3d flat = normal(face);
+  const auto weights = weights_at(t, x);
+  Vec3d bulge;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3d normal = all.normals[all.corners[face][i].normal];
+    if (dot(normal, flat) < least_cosine) return {};
+    const double below = -side * dot(x - t[i], normal);
+    if (below > 0.0) bulge += normal * (side * below * weights[i]);
+  }
+  return bulge;
+}
+
 double Mesh::clearance(const Segment& segment) const {
   double least = std::numeric_limits<double>::infinity();
   for (std::uint32_t face = 0; face < triangle_count(); ++face)

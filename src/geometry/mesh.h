@@ -55,6 +55,11 @@ class Mesh {
   [[nodiscard]] Box bounds() const;
   [[nodiscard]] std::optional<Contact> intersect(const Ray& ray, double low, double high) const;
   [[nodiscard]] SurfacePoint surface_at(Vec3d x, std::uint32_t face) const;
+  /// From a point of a face to the smooth surface that its normals tell of, where that bulges to
+  /// the given side (1: where `normal` points, -1); 0 where it is flat, falls in, or the normals
+  /// turn too much to tell of one. Hanika, "Hacking the Shadow Terminator", Ray Tracing Gems II,
+  /// 2021.
+  [[nodiscard]] Vec3d bulge_at(Vec3d x, std::uint32_t face, double side) const;
   [[nodiscard]] double clearance(const Segment& segment) const;
   /// Of the volume if it is closed, else of the area; the origin if there are no triangles.
   [[nodiscard]] Vec3d center_of_mass() const;

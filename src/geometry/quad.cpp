@@ -7,6 +7,7 @@
 
 #include "geometry/extent.h"
 #include "geometry/polygon.h"
+#include "math/triangle_sample.h"
 
 namespace portalens {
 namespace {
@@ -206,6 +207,13 @@ SurfacePoint Quad::sample(double u1, double u2) const {
   const Vec3d x = vertices_[0] + (vertices_[i] - vertices_[0]) * (from_corner * (1.0 - u2)) +
                   (vertices_[i + 1] - vertices_[0]) * (from_corner * u2);
   return surface_at(x, 0);
+}
+
+SeenSurface Quad::sample_seen(Vec3d x, double u1, double u2) const {
+  const std::array<TriangleCorners, 2> halves = {
+      {{vertices_[0], vertices_[1], vertices_[2]}, {vertices_[0], vertices_[2], vertices_[3]}}};
+  const SeenPoint seen = sample_triangles(std::span(halves).first(count_ - 2), x, u1, u2);
+  return {surface_at(seen.position, 0), seen.solid_angle};
 }
 
 std::vector<FlatFace> Quad::flat_faces() const {

@@ -68,4 +68,11 @@ struct SurfacePoint {
   double along = 0, across = 0;  ///< those lengths, from the first vertex; only if `flat`
 };
 
+/// A point of a surface, drawn as some place sees it. The mean of f `solid_angle` over such points
+/// is the integral of f over the directions in which the surface is seen.
+struct SeenSurface {
+  SurfacePoint point;
+  double solid_angle = 0.0;  ///< 1 over the probability per solid angle
+};
+
 }  // namespace portalens

@@ -15,6 +15,9 @@
 ///   SurfacePoint sample(double u1, double u2) const;   uniform by area
 ///   std::vector<FlatFace> flat_faces() const;          the flat ones of its faces; none if curved
 /// It may have
+///   SeenSurface sample_seen(Vec3d x, double u1, double u2) const;
+///       a point of what is seen of it from x, were it alone, about uniform by solid angle: as a
+///       lamp it makes less noise. What has none is sampled by area, its far side, too
 ///   template <class Layout> bool lay_out(Layout& layout) const;
 ///       how lanes hold it: as what `ShapeLayout` in lanes/surface_plan.cpp offers (a polygon of 3
 ///       or 4 corners, a ball); false where that has no room. What has none, or no room, is held by

@@ -60,12 +60,42 @@ double Sphere::clearance(const Segment& segment) const {
 
 double Sphere::area() const { return 4.0 * std::numbers::pi * radius_ * radius_; }
 
-SurfacePoint Sphere::sample(double u1, double u2) const {
+namespace {
+
+Vec3d uniform_direction(double u1, double u2) {
   const double y = 1.0 - 2.0 * u1;
   const double around = 2.0 * std::numbers::pi * u2;
   const double across = std::sqrt(std::max(0.0, 1.0 - y * y));
-  const Vec3d normal{across * std::sin(around), y, across * std::cos(around)};
-  return surface_at(center_ + normal * radius_, 0);
+  return {across * std::sin(around), y, across * std::cos(around)};
+}
+
+}  // namespace
+
+SurfacePoint Sphere::sample(double u1, double u2) const {
+  return surface_at(center_ + uniform_direction(u1, u2) * radius_, 0);
+}
+
+/// From outside uniform in the cone of its silhouette, from inside in all directions.
+SeenSurface Sphere::sample_seen(Vec3d x, double u1, double u2) const {
+  const Vec3d way = center_ - x;
+  const double distance = length(way), sine = radius_ / distance;
+  if (!(sine < 1.0)) {
+    const Vec3d direction = uniform_direction(u1, u2);
+    const double towards = dot(way, direction);
+    const double root =
+        std::sqrt(std::max(0.0, radius_ * radius_ - distance * distance + towards * towards));
+    return {surface_at(x + direction * (towards + root), 0), 4.0 * std::numbers::pi};
+  }
+  // 1 - cos of the cone's half angle, and of the direction's angle with the axis.
+  const double of_cone = sine * sine / (1.0 + std::sqrt(1.0 - sine * sine)), off = u1 * of_cone;
+  const double across = std::sqrt(off * (2.0 - off)), around = 2.0 * std::numbers::pi * u2;
+  const Vec3d axis = way / distance, right = any_perpendicular(axis), up = cross(axis, right);
+  const Vec3d direction =
+      axis * (1.0 - off) + right * (across * std::cos(around)) + up * (across * std::sin(around));
+  const double before =
+      std::sqrt(std::max(0.0, radius_ * radius_ - distance * distance * across * across));
+  return {surface_at(x + direction * (distance * (1.0 - off) - before), 0),
+          2.0 * std::numbers::pi * of_cone};
 }
 
 }  // namespace portalens

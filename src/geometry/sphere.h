@@ -33,6 +33,7 @@ class Sphere {
   [[nodiscard]] Vec3d center_of_mass() const { return center_; }
   [[nodiscard]] double area() const;
   [[nodiscard]] SurfacePoint sample(double u1, double u2) const;
+  [[nodiscard]] SeenSurface sample_seen(Vec3d x, double u1, double u2) const;
   [[nodiscard]] std::vector<FlatFace> flat_faces() const { return {}; }
 
  private:

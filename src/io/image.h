@@ -1,5 +1,5 @@
 /// \file
-/// Pictures in and out: EXR, PNG, HDR, JPEG in; EXR and PNG out.
+/// Pictures in and out: EXR, PNG, HDR, JPEG in; EXR, PNG and JPEG out.
 #pragma once
 
 #include <cstddef>
@@ -56,8 +56,9 @@ using Metadata = std::vector<std::pair<std::string, std::string>>;
 enum class Packing { small, quick };
 
 /// Writes the channels (all of width × height) as the suffix says: `.exr` float, linear, with the
-/// metadata; `.png` 8-bit sRGB of R, G, B. Encoded to memory, written to a temporary file beside
-/// the target, flushed, renamed, read back: the old picture stays whole until the new one is.
+/// metadata; `.png`, `.jpg`, `.jpeg` 8-bit sRGB of R, G, B. Encoded to memory, written to a
+/// temporary file beside the target, flushed, renamed, read back: the old picture stays whole until
+/// the new one is.
 /// @throws SceneError if the suffix is another, WorkError with the path and the cause
 void write_image(const std::filesystem::path& file, int width, int height,
                  const std::vector<Channel>& channels, const Metadata& metadata);
@@ -65,6 +66,10 @@ void write_image(const std::filesystem::path& file, int width, int height,
 void write_views(const std::filesystem::path& file, int width, int height,
                  const std::vector<ChannelView>& channels, const Metadata& metadata,
                  Packing packing);
+
+/// Whether a file of that name holds light itself, of any size and with any channels, and not a
+/// picture to look at.
+[[nodiscard]] bool keeps_light(const std::filesystem::path& file);
 
 /// @throws SceneError if the suffix is not known, WorkError if `file` can't be written there: no
 /// such folder, no permission. Called before the first photon.

@@ -73,18 +73,40 @@ std::vector<unsigned char> encode_exr(const EncodedPicture& picture) {
   });
 }
 
-std::vector<unsigned char> encode_png(const EncodedPicture& picture) {
-  static const SrgbBytes byte_of;
-  const std::array<const ChannelView*, 3> colors = colors_of(picture);
+namespace {
+
+/// 8 bits, sRGB.
+OIIO::ImageSpec bytes_of(const EncodedPicture& picture) {
   OIIO::ImageSpec spec(picture.width, picture.height, 3, OIIO::TypeDesc::UINT8);
   spec.attribute("oiio:ColorSpace", "sRGB");
+  return spec;
+}
+
+std::vector<unsigned char> encode_bytes(const EncodedPicture& picture, const char* name,
+                                        const OIIO::ImageSpec& spec) {
+  static const SrgbBytes byte_of;
+  const std::array<const ChannelView*, 3> colors = colors_of(picture);
+  return encode<unsigned char>(picture, name, spec, [&](std::size_t y, unsigned char* row) {
+    for (std::size_t x = 0; x < picture.row(); ++x)
+      for (std::size_t c = 0; c < 3; ++c)
+        row[3 * x + c] = byte_of(colors[c]->values[(y * picture.row() + x) * colors[c]->step]);
+  });
+}
+
+}  // namespace
+
+std::vector<unsigned char> encode_png(const EncodedPicture& picture) {
+  OIIO::ImageSpec spec = bytes_of(picture);
   if (picture.packing == Packing::quick) spec.attribute("png:compressionLevel", 1);
-  return encode<unsigned char>(
-      picture, "picture.png", spec, [&](std::size_t y, unsigned char* row) {
-        for (std::size_t x = 0; x < picture.row(); ++x)
-          for (std::size_t c = 0; c < 3; ++c)
-            row[3 * x + c] = byte_of(colors[c]->values[(y * picture.row() + x) * colors[c]->step]);
-      });
+  return encode_bytes(picture, "picture.png", spec);
+}
+
+bool encodes_jpeg() { return true; }
+
+std::vector<unsigned char> encode_jpeg(const EncodedPicture& picture) {
+  OIIO::ImageSpec spec = bytes_of(picture);
+  spec.attribute("Compression", "jpeg:95");
+  return encode_bytes(picture, "picture.jpg", spec);
 }
 
 }  // namespace portalens

@@ -34,4 +34,10 @@ struct EncodedPicture {
 /// @throws WorkError with the cause
 [[nodiscard]] std::vector<unsigned char> encode_png(const EncodedPicture& picture);
 
+/// Whether this build has a library that does.
+[[nodiscard]] bool encodes_jpeg();
+/// The same, not quite: what JPEG leaves of it.
+/// @throws WorkError with the cause
+[[nodiscard]] std::vector<unsigned char> encode_jpeg(const EncodedPicture& picture);
+
 }  // namespace portalens

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-enum class Target { exr, png };
+enum class Target { exr, png, jpeg };
 
 Target target_of(const fs::path& file) {
   std::string suffix = file.extension().string();
@@ -26,8 +26,13 @@ Target target_of(const fs::path& file) {
   }
   if (suffix == ".exr") return Target::exr;
   if (suffix == ".png") return Target::png;
+  if (suffix == ".jpg" || suffix == ".jpeg") {
+    if (encodes_jpeg()) return Target::jpeg;
+    throw SceneError({{Location{}, "can't write " + file.string() + ": this build writes no JPEG",
+                       "name a .png file, or take a build with OpenImageIO"}});
+  }
   throw SceneError({{Location{}, "can't write " + file.string() + ": its kind is not known",
-                     "a picture's name ends in .exr or .png"}});
+                     "a picture's name ends in .exr, .png or .jpg"}});
 }
 
 void check_values(const EncodedPicture& picture) {
@@ -80,7 +85,9 @@ void write_views(const fs::path& file, int width, int height,
   check_values(picture);
   std::vector<unsigned char> bytes;
   try {
-    bytes = target == Target::exr ? encode_exr(picture) : encode_png(picture);
+    bytes = target == Target::exr   ? encode_exr(picture)
+            : target == Target::png ? encode_png(picture)
+                                    : encode_jpeg(picture);
   } catch (const WorkError&) {
     throw;
   } catch (const std::exception& error) {
@@ -88,6 +95,8 @@ void write_views(const fs::path& file, int width, int height,
   }
   replace_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
+
+bool keeps_light(const fs::path& file) { return target_of(file) == Target::exr; }
 
 void check_writable(const fs::path& file) {
   target_of(file);

@@ -67,30 +67,4 @@ Scene read_scene_text(std::string_view text, const std::filesystem::path& file) 
   return scene;
 }
 
-void override_value(Scene& scene, const std::string& assignment, Faults& faults) {
-  const std::string form = "write SECTION.KEY=VALUE, as in physics.tolerance=1e-5";
-  const std::size_t equals = assignment.find('=');
-  const std::size_t dot = assignment.find('.');
-  if (equals == std::string::npos || dot == std::string::npos || dot == 0 || dot + 1 >= equals) {
-    faults.add({}, in_quotes(assignment) + " sets nothing", form);
-    return;
-  }
-  const std::string section = assignment.substr(0, dot);
-  const std::string key = assignment.substr(dot + 1, equals - dot - 1);
-  Table* table = find_section(scene, section);
-  if (!table) {
-    faults.add({}, "unknown section " + in_quotes(section),
-               suggestion_or_list(section, sections_known()));
-    return;
-  }
-  auto value = read_toml_value(assignment.substr(equals + 1));
-  if (!value) {
-    faults.add({}, in_quotes(assignment.substr(equals + 1)) + " is no value",
-               "give a number, true or false, a word, a \"string\" or a [list]");
-    return;
-  }
-  table->set(key, std::move(*value));
-  if (section == "camera") scene.has_camera = true;
-}
-
 }  // namespace portalens

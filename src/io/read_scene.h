@@ -22,8 +22,4 @@ namespace portalens {
 /// A scene without anything in it: every section has its name and place.
 [[nodiscard]] Scene empty_scene(const std::filesystem::path& file);
 
-/// Sets `section.key` to a value written as in TOML ("physics.tolerance=1e-5"), as if the file said
-/// so. An unknown section is a fault of the command line.
-void override_value(Scene& scene, const std::string& assignment, Faults& faults);
-
 }  // namespace portalens

@@ -24,8 +24,9 @@ struct Photon {
   std::uint32_t sample = 0;  ///< which sample of the film it belongs to
   std::uint32_t slot = 0;    ///< its place among the photons of its wave
   std::uint32_t bounces = 0;
-  std::uint64_t random_key = 0;  ///< (pixel, sample, place in the tree)
-  SelfIntersectionGuard guard;   ///< the surface it starts on, if any
+  std::uint32_t pixel_sample = 0;  ///< its number among the samples of its pixel
+  std::uint64_t random_key = 0;    ///< (pixel, place in the tree)
+  SelfIntersectionGuard guard;     ///< the surface it starts on, if any
 };
 
 enum class Met : std::uint8_t { nothing, surface, portal_back, mass };
@@ -34,6 +35,7 @@ enum class Met : std::uint8_t { nothing, surface, portal_back, mass };
 struct Arrival {
   Fate fate = Fate::lost;
   Met met = Met::nothing;
+  bool out_of_crossings = false;  ///< it is lost at the portal after the last that it might cross
   std::uint32_t object = no_object;  ///< index of the shape, the portal or the mass, as `met` says
   std::uint32_t face = 0;
   std::uint32_t handed_over = 0;  ///< steps that the scalar engine took for the lanes

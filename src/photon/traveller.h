@@ -51,7 +51,10 @@ class Traveller {
       arrival.face = met.face;
       return end(Fate::hit);
     }
-    if (arrival.crossings >= space_.max_crossings) return end(Fate::lost);
+    if (arrival.crossings >= space_.max_crossings) {
+      arrival.out_of_crossings = true;
+      return end(Fate::lost);
+    }
     ++arrival.crossings;
     const Portal& portal = space_.portals.portals()[met.object];
     arrival.tint = arrival.tint * portal.tint;

@@ -55,7 +55,7 @@ class PhotonSource {
     }
   }
   [[nodiscard]] std::uint64_t random_key(const PixelSample& at) const {
-    return sampler(at).random_key(at.sample);
+    return sampler(at).random_key();
   }
 
  private:
@@ -76,6 +76,7 @@ class PhotonSource {
   photon.position = ray.origin;
   photon.direction = ray.direction;
   photon.random_key = source.random_key(at);
+  photon.pixel_sample = at.sample;
   return photon;
 }
 

@@ -15,7 +15,7 @@ namespace portalens {
 namespace {
 
 constexpr std::string_view magic = "portalens piece\n";
-constexpr std::uint32_t layout_version = 4;
+constexpr std::uint32_t layout_version = 5;
 constexpr std::size_t preamble_size = 16 + 4 + 4;  // magic, version, length of the head
 constexpr std::size_t digest_size = 32;            // as text
 constexpr std::uint32_t max_head = 64u << 20;

@@ -90,9 +90,9 @@ Assignment read_assignment(ByteReader& reader) {
 
 template <class Tally_, class Visit>
 void for_counts(Tally_& tally, const Visit& visit) {
-  for (auto* count :
-       {&tally.samples, &tally.photons, &tally.shadow_queries, &tally.interpolated,
-        &tally.probe_rays, &tally.steps, &tally.handed_over, &tally.crossings, &tally.not_finite})
+  for (auto* count : {&tally.samples, &tally.photons, &tally.shadow_queries, &tally.interpolated,
+                      &tally.probe_rays, &tally.steps, &tally.handed_over, &tally.crossings,
+                      &tally.out_of_crossings, &tally.not_finite})
     visit(*count);
   for (auto& count : tally.fates) visit(count);
   for (auto* seconds : {&tally.advancing, &tally.shading, &tally.shadowing}) visit(*seconds);

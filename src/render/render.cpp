@@ -202,7 +202,8 @@ class TileTaker {
   void send_camera_photons(std::uint64_t count) {
     std::vector<Photon>& photons = room_->photons;
     std::vector<FilmPlace>& places = room_->places;
-    while (photons.size() < count) {  // in any batch they differ in nothing but ray and random key
+    // In any batch they differ in nothing but ray and random numbers.
+    while (photons.size() < count) {
       const auto number = static_cast<std::uint32_t>(photons.size());
       photons.emplace_back().sample = number;
       photons.back().slot = number;
@@ -213,7 +214,9 @@ class TileTaker {
     PixelSample at = place(done_);
     for (std::uint64_t i = 0; i < count; ++i, go_on(at)) {
       places[i] = source.place(at);
-      if (random) photons[i].random_key = source.random_key(at);
+      if (!random) continue;
+      photons[i].random_key = source.random_key(at);
+      photons[i].pixel_sample = at.sample;
     }
     if (room_->sampling_grid) return;  // it sends few
     source.send(places, std::span(photons).first(count));

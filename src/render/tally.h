@@ -21,7 +21,8 @@ struct Tally {
   std::uint64_t steps = 0;        ///< of all photons
   std::uint64_t handed_over = 0;  ///< of these, those that the scalar engine took for the lanes
   std::uint64_t crossings = 0;    ///< of portals, by all photons
-  std::uint64_t not_finite = 0;   ///< samples whose light was not a number; shown as lost
+  std::uint64_t out_of_crossings = 0;  ///< photons lost for want of more; the rest otherwise
+  std::uint64_t not_finite = 0;        ///< samples whose light was not a number; shown as lost
   std::array<std::uint64_t, fate_count> fates{};  ///< of all photons, in the order of `Fate`
 
   /// Seconds of all threads together: photons on their paths (field, surfaces, portals), shading,
@@ -31,17 +32,19 @@ struct Tally {
   /// @return how many are lost
   std::uint64_t count(std::span<const Arrival> arrivals) {
     std::array<std::uint64_t, fate_count> ended{};
-    std::uint64_t steps_taken = 0, steps_handed = 0, portals_crossed = 0;
+    std::uint64_t steps_taken = 0, steps_handed = 0, portals_crossed = 0, out = 0;
     for (const Arrival& arrival : arrivals) {
       steps_taken += arrival.steps;
       steps_handed += arrival.handed_over;
       portals_crossed += arrival.crossings;
+      out += arrival.out_of_crossings ? 1 : 0;
       ++ended[static_cast<std::size_t>(arrival.fate)];
     }
     photons += arrivals.size();
     steps += steps_taken;
     handed_over += steps_handed;
     crossings += portals_crossed;
+    out_of_crossings += out;
     for (std::size_t i = 0; i < fates.size(); ++i) fates[i] += ended[i];
     return ended[static_cast<std::size_t>(Fate::lost)];
   }
@@ -54,6 +57,7 @@ struct Tally {
     steps += other.steps;
     handed_over += other.handed_over;
     crossings += other.crossings;
+    out_of_crossings += other.out_of_crossings;
     not_finite += other.not_finite;
     advancing += other.advancing;
     shading += other.shading;

@@ -14,6 +14,7 @@ ShadingLimits ShadingLimits::from(Parameters& parameters) {
   ShadingLimits limits;
   limits.max_bounces = static_cast<std::uint32_t>(
       parameters.integer("max_bounces", 0, max_allowed_bounces, limits.max_bounces));
+  limits.lost_color_given = parameters.has("lost_color");
   limits.lost_color =
       to_vec3(parameters.triple("lost_color", non_negative, as_triple(limits.lost_color)));
   limits.shadow_samples = static_cast<std::uint32_t>(

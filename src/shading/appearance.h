@@ -17,6 +17,7 @@ namespace portalens {
 struct ShadingLimits {
   std::uint32_t max_bounces = 8;
   Rgb lost_color{1, 0, 1};
+  bool lost_color_given = false;     ///< else what runs out of crossings shows the environment
   std::uint32_t shadow_samples = 1;  ///< for each area light
   Rgb ambient{0.05, 0.05, 0.05};     ///< radiance
 

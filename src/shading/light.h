@@ -10,7 +10,8 @@
 ///   LightSample sample(Vec3d x, double u1, double u2) const;
 ///       one point of it as seen from x, in the light's own world: x is not on this side of a
 ///       portal if the light isn't. u1 and u2 are uniform in [0, 1), and over them `irradiance` has
-///       the mean that the light gives where nothing is in the way.
+///       the mean that the light gives where nothing is in the way; what the light itself hides
+///       may be left out of it.
 ///   double area() const;                                 0 if it is_delta
 ///   Rgb power() const;
 ///       W, of all that leaves it, on each side that shines; a texture's by many points of it

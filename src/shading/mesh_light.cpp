@@ -20,15 +20,14 @@ MeshLight::MeshLight(Mesh mesh, std::vector<Texture> emitted,
   }
 }
 
-LightSample MeshLight::sample(Vec3d /*x*/, double u1, double u2) const {
-  const TriangleChoice::Point point = choice_.choose(u1, u2);
-  const Face& face = faces_[point.triangle];
-  const Vec3d position = point.on(mesh_.triangle(face.triangle));
+LightSample MeshLight::sample(Vec3d x, double u1, double u2) const {
+  const SeenPoint seen = choice_.choose(x, u1, u2);
+  const Face& face = faces_[seen.triangle];
   const Texture& emitted = emitted_[face.emitted];
   const auto* constant = std::get_if<Constant>(&emitted);  // which spares looking for coordinates
-  const Rgb radiance =
-      constant ? constant->color : color_at(emitted, mesh_.surface_at(position, face.triangle));
-  return {position, mesh_.normal(face.triangle), radiance * point.by_density, Shining::both_sides};
+  const Rgb radiance = constant ? constant->color
+                                : color_at(emitted, mesh_.surface_at(seen.position, face.triangle));
+  return {seen.position, radiance * seen.solid_angle};
 }
 
 Rgb MeshLight::power() const {

@@ -21,8 +21,10 @@ struct PointLight {
     const Vec3d position = to_vec3(parameters.triple("position", coordinate));
     return {position, to_vec3(parameters.triple("intensity", non_negative))};
   }
-  [[nodiscard]] LightSample sample(Vec3d /*x*/, double /*u1*/, double /*u2*/) const {
-    return {position, {}, intensity, Shining::everywhere};
+  [[nodiscard]] LightSample sample(Vec3d x, double /*u1*/, double /*u2*/) const {
+    const Vec3d way = position - x;
+    const double square = dot(way, way);
+    return {position, square > 0.0 ? intensity / square : Rgb{}};
   }
   [[nodiscard]] static double area() { return 0.0; }
   [[nodiscard]] Rgb power() const { return intensity * (4.0 * std::numbers::pi); }

@@ -17,29 +17,28 @@ PortalBackLight::PortalBackLight(Portal portal, Texture emitted)
     return scale == 1.0 ? corner : portal_.frame.origin + (corner - portal_.frame.origin) * scale;
   };
   for (const std::vector<Vec3d>& v : pieces_of(portal_))
-    for (std::size_t i = 2; i < v.size(); ++i)
-      triangles_.push_back({place(v[0]), place(v[i - 1]), place(v[i])});
-  for (const TriangleCorners& triangle : triangles_)
-    choice_.add(triangle, brightness_of(emitted_, triangle,
-                                        [&](Vec3d x) { return point_on_back(portal_, x); }));
+    for (std::size_t i = 2; i < v.size(); ++i) add({place(v[0]), place(v[i - 1]), place(v[i])});
 }
 
-LightSample PortalBackLight::sample(Vec3d /*x*/, double u1, double u2) const {
-  const TriangleChoice::Point point = choice_.choose(u1, u2);
-  const TriangleCorners t = triangles_[point.triangle];
-  const Vec3d position = point.on(t);
-  const Rgb radiance = color_at(emitted_, point_on_back(portal_, position));
-  return {position, normalize(cross(t[1] - t[0], t[2] - t[0])), radiance * point.by_density,
-          Shining::back_only};
+void PortalBackLight::add(const TriangleCorners& triangle) {
+  choice_.add(triangle, brightness_of(emitted_, triangle,
+                                      [&](Vec3d x) { return point_on_back(portal_, x); }));
+}
+
+LightSample PortalBackLight::sample(Vec3d x, double u1, double u2) const {
+  const SeenPoint seen = choice_.choose(x, u1, u2);
+  if (!(portal_.frame.to_local(x).z < 0.0)) return {seen.position};
+  const Rgb radiance = color_at(emitted_, point_on_back(portal_, seen.position));
+  return {seen.position, radiance * seen.solid_angle};
 }
 
 Rgb PortalBackLight::power() const {
   constexpr int parts = 256;
   Rgb sum;
-  for (const TriangleCorners& triangle : triangles_)
-    sum += mean_over(triangle, parts,
+  for (std::size_t i = 0; i < choice_.size(); ++i)
+    sum += mean_over(choice_[i], parts,
                      [&](Vec3d x) { return color_at(emitted_, point_on_back(portal_, x)); }) *
-           area_of(triangle);
+           area_of(choice_[i]);
   return sum * std::numbers::pi;
 }
 

@@ -21,10 +21,11 @@ class PortalBackLight {
   [[nodiscard]] Rgb power() const;
 
  private:
+  void add(const TriangleCorners& triangle);
+
   Portal portal_;
-  std::vector<TriangleCorners> triangles_;  ///< of a curved face, so that they have its area
   Texture emitted_;
-  TriangleChoice choice_;
+  TriangleChoice choice_;  ///< of a curved face, so that the triangles have its area
 };
 
 }  // namespace portalens

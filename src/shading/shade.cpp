@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "math/random.h"
+#include "math/sobol.h"
 #include "shading/shading_point.h"
 
 namespace portalens {
@@ -19,16 +20,15 @@ constexpr std::uint64_t mirror_purpose = std::uint64_t{1} << 32;
 constexpr std::uint64_t secondary_purpose = std::uint64_t{2} << 32;
 constexpr std::uint64_t light_purpose = std::uint64_t{3} << 32;  // + index of the light
 
-/// The cells of a grid over the unit square, as square as their number allows.
-struct Strata {
-  std::uint32_t columns = 1, rows = 1;
-
-  explicit Strata(std::uint32_t count) {
-    for (std::uint32_t i = 1; i * i <= count; ++i)
-      if (count % i == 0) rows = i;
-    columns = count / rows;
-  }
-};
+/// The shading normal, bent where a mirror with it would send what leaves along `out` below the
+/// surface: then it sends it just over it.
+Vec3d mirroring_normal(Vec3d normal, Vec3d outward, Vec3d out) {
+  constexpr double least_height = 1e-2;
+  const Vec3d mirrored = normal * (2.0 * dot(normal, out)) - out;
+  const double height = dot(mirrored, outward);
+  if (height > 0.0) return normal;
+  return normalize(out + normalize(mirrored + outward * (least_height - height)));
+}
 
 /// Shades arrivals, one at a time. The path that most of them go is inlined as a whole, and what
 /// few ask for is kept out of it, with a copy of the shading point: so this need not lie in memory.
@@ -47,6 +47,9 @@ class Shader {
       case Fate::escaped:
         return add_light(share_ * appearance_.environment.radiance(arrival_->direction));
       case Fate::lost:
+        // In an endless corridor: what would be seen at its end.
+        if (arrival.out_of_crossings && !appearance_.limits.lost_color_given)
+          return add_light(share_ * appearance_.environment.radiance(arrival_->direction));
         // Tints are left out, so that light lost between two dark portals still shows.
         return add_light(photon_->throughput * appearance_.limits.lost_color);
       case Fate::absorbed:
@@ -95,9 +98,11 @@ class Shader {
 
   template <class Here>
   [[gnu::noinline]] void send_sampled(ShadingPoint point, Here bsdf) {
-    const std::uint64_t key = combined(photon_->random_key, mirror_purpose);
-    const auto sample = bsdf.sample(point.normal, -arrival_->direction, random_number(key, 0),
-                                    random_number(key, 1));
+    const auto [u1, u2] =
+        sobol_pair(combined(photon_->random_key, mirror_purpose), photon_->pixel_sample);
+    const Vec3d out = -arrival_->direction;
+    const Vec3d normal = mirroring_normal(point.normal, point.outward, out);
+    const auto sample = bsdf.sample(normal, out, u1, u2);
     if (!sample || !(dot(sample->direction, point.outward) > 0.0)) return;
     Photon secondary;
     secondary.throughput = share_ * sample->color * sample->weight;
@@ -107,6 +112,7 @@ class Shader {
     secondary.sample = photon_->sample;
     secondary.slot = photon_->slot;
     secondary.bounces = photon_->bounces + 1;
+    secondary.pixel_sample = photon_->pixel_sample;
     secondary.random_key = combined(photon_->random_key, secondary_purpose);
     secondary.guard = point.leaving(sample->direction);
     output_.secondary.push_back(secondary);
@@ -131,10 +137,9 @@ class Shader {
                                    std::size_t index) {
     const std::uint32_t count = appearance_.limits.shadow_samples;
     const std::uint64_t key = combined(photon_->random_key, light_purpose + index);
-    const Strata strata(count);
+    // One sequence over all samples of the pixel, each of which takes the next `count` of it.
     for (std::uint32_t j = 0; j < count; ++j) {
-      const double u1 = (j % strata.columns + random_number(key, 2 * j)) / strata.columns;
-      const double u2 = (j / strata.columns + random_number(key, 2 * j + 1)) / strata.rows;
+      const auto [u1, u2] = sobol_pair(key, photon_->pixel_sample * count + j);
       ask_light(point, bsdf, light, u1, u2, count);
     }
   }
@@ -143,7 +148,7 @@ class Shader {
   template <class Here, class Any>
   [[gnu::always_inline]] void ask_light(const ShadingPoint& point, const Here& bsdf,
                                         const Any& light, double u1, double u2, double count) {
-    ask(point, bsdf, light.sample(point.position, u1, u2), count, {1, 1, 1}, no_portal);
+    ask(point, bsdf, light.sample(point.lit_at(), u1, u2), count, {1, 1, 1}, no_portal);
     if (!space_.portals.portals().empty()) ask_images(point, bsdf, light, u1, u2, count);
   }
 
@@ -156,11 +161,10 @@ class Shader {
       const Portal& portal = portals[i];
       const Rigid* motion = portal.motion();
       if (!motion) continue;
-      const double height = portal.frame.to_local(point.position).z;
+      const double height = portal.frame.to_local(point.lit_at()).z;
       if (height < -portal.height_tolerance() && !portal.two_sided) continue;
-      LightSample image = light.sample(motion->move(point.position), u1, u2);
+      LightSample image = light.sample(motion->move(point.lit_at()), u1, u2);
       image.position = motion->move_back(image.position);
-      image.normal = motion->rotate_back(image.normal);
       if (crosses(i, point, image.position)) ask(point, bsdf, image, count, portal.tint, i);
     }
   }
@@ -169,13 +173,14 @@ class Shader {
   /// or either way if it is two-sided. In the plane of the face it leaves nothing is crossed.
   bool crosses(std::uint32_t portal, const ShadingPoint& point, Vec3d to) const {
     const Portal& crossed = space_.portals.portals()[portal];
-    const double distance = length(to - point.position);
-    const Ray ray{point.position, (to - point.position) / distance};
+    const Vec3d from = point.lit_at();
+    const double distance = length(to - from);
+    const Ray ray{from, (to - from) / distance};
     const double slope = dot(ray.direction, crossed.frame.normal);
     if (!(slope < 0.0) && !crossed.two_sided) return false;
     const auto contact = space_.portals.contact_near(portal, ray, distance);
     if (!contact || *contact * std::fabs(slope) < -crossed.height_tolerance()) return false;
-    const LeftPlane left = space_.surfaces.flush().left_by(point.leaving(ray.direction));
+    const LeftPlane left = space_.surfaces.flush().left_by(point.leaving_to_light(ray.direction));
     const PortalPlane& plane = space_.portals.plane_of(portal);
     return plane.plane != left.plane || !(slope * plane.side * left.side > 0.0) ||
            *contact > left.reach;
@@ -185,17 +190,17 @@ class Shader {
   [[gnu::always_inline]] void ask(const ShadingPoint& point, const Here& bsdf,
                                   const LightSample& sample, double count, Rgb tint,
                                   std::uint32_t portal) {
-    const Vec3d way = sample.position - point.position;
-    if (!(dot(way, point.outward) > 0.0)) return;
+    const Vec3d from = point.lit_at(), way = sample.position - from;
+    if (!(dot(way, point.outward) > 0.0) && !point.bulges()) return;
     const Rgb value = bsdf.value(point.normal, -arrival_->direction, normalize(way));
     const Rgb share = share_ * value / std::numbers::pi / count * tint;
-    const Rgb light = share * irradiance(sample, point.position, point.normal);
+    const Rgb light = share * irradiance(sample, from, point.normal);
     if (is_black(light)) return;
     ShadowQuery& query = output_.shadows.emplace_back();
-    query.from = point.position;
+    query.from = from;
     query.to = sample.position;
     query.portal = portal;
-    query.guard = point.leaving(way);
+    query.guard = point.leaving_to_light(way);
     query.contribution = light;
     query.sample = photon_->sample;
     query.slot = photon_->slot;

@@ -7,8 +7,11 @@ namespace portalens {
 ShadedSurface ShadingPoints::at(const Arrival& arrival) const {
   if (arrival.met == Met::portal_back) return on_back(arrival);
   if (const Quad* quad = plain_quad(arrival)) return on(*quad, arrival);
-  return on_surface(arrival,
-                    space_.surfaces.surface_at(arrival.object, arrival.face, arrival.position));
+  ShadedSurface place = on_surface(
+      arrival, space_.surfaces.surface_at(arrival.object, arrival.face, arrival.position));
+  if (const auto* mesh = std::get_if<Mesh>(&shapes_[arrival.object]))
+    place.point.bulge = mesh->bulge_at(arrival.position, arrival.face, place.point.front);
+  return place;
 }
 
 ShadedSurface ShadingPoints::on_back(const Arrival& arrival) const {

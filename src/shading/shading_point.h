@@ -21,12 +21,23 @@ struct ShadingPoint {
   std::uint32_t face = 0;
   double front = 1.0;  ///< 1 where `outward` is the surface's own normal, -1 against it
   double size = 0.0;   ///< of the place and the scene, for self-intersection guards
+  Vec3d bulge;         ///< from `position` to where a smooth mesh's surface is meant to be
 
   /// How a ray in `direction`, of any length, leaves this point.
   [[nodiscard]] SelfIntersectionGuard leaving(Vec3d direction) const {
     const double slope = dot(direction, outward);
     return {shape, face, front * slope < 0.0 ? -1.0 : 1.0,
             guard_reach(size, std::clamp(slope, -1.0, 1.0))};
+  }
+
+  /// Where shadow rays start: on a smooth mesh over its face, which so casts no shadow on itself.
+  [[nodiscard]] Vec3d lit_at() const { return position + bulge; }
+  [[nodiscard]] bool bulges() const { return bulge != Vec3d{}; }
+  /// How a shadow ray leaves. From over the face it leaves outwards, even if it passes its plane.
+  [[nodiscard]] SelfIntersectionGuard leaving_to_light(Vec3d direction) const {
+    SelfIntersectionGuard guard = leaving(direction);
+    if (bulges()) guard.side = front;
+    return guard;
   }
 };
 
@@ -66,16 +77,29 @@ class ShadingPoints {
   }
   [[nodiscard]] ShadedSurface on_back(const Arrival& arrival) const;
 
+  /// At the edge of its silhouette a mesh may be seen where its smooth normal looks away: there it
+  /// is bent until it looks aside.
+  [[nodiscard]] static Vec3d seen_normal(Vec3d normal, Vec3d incoming) {
+    constexpr double least_cosine = 1e-3;
+    const double away = dot(incoming, normal);
+    return away < 0.0 ? normal : normalize(normal - incoming * (away + least_cosine));
+  }
+
   [[nodiscard]] ShadedSurface on_surface(const Arrival& arrival,
                                          const SurfacePoint& surface) const {
     const std::uint32_t material = material_of(arrival);
     const bool behind = dot(arrival.direction, surface.geometric_normal) > 0.0;
     const double front = behind ? -1.0 : 1.0;
     const Vec3d outward = surface.geometric_normal * front, normal = surface.normal * front;
-    // At the edge of its silhouette a mesh may be seen where its smooth normal looks away.
-    const bool away = dot(arrival.direction, normal) >= 0.0;
-    return {{arrival.position, away ? outward : normal, outward, material, arrival.object,
-             arrival.face, front, length(arrival.position) + extent_},
+    return {{arrival.position,
+             seen_normal(normal, arrival.direction),
+             outward,
+             material,
+             arrival.object,
+             arrival.face,
+             front,
+             length(arrival.position) + extent_,
+             {}},
             surface};
   }
 

@@ -4,6 +4,8 @@
 #include <utility>
 #include <variant>
 
+#include "math/triangle_sample.h"
+
 namespace portalens {
 
 ShapeLight::ShapeLight(Shape shape, Texture emitted)
@@ -11,10 +13,19 @@ ShapeLight::ShapeLight(Shape shape, Texture emitted)
       emitted_(std::move(emitted)),
       area_(std::visit([](const auto& s) { return s.area(); }, shape_)) {}
 
-LightSample ShapeLight::sample(Vec3d /*x*/, double u1, double u2) const {
-  const SurfacePoint point = std::visit([&](const auto& s) { return s.sample(u1, u2); }, shape_);
-  return {point.position, point.geometric_normal, color_at(emitted_, point) * area_,
-          Shining::both_sides};
+LightSample ShapeLight::sample(Vec3d x, double u1, double u2) const {
+  const SeenSurface seen = std::visit(
+      [&](const auto& shape) -> SeenSurface {
+        if constexpr (requires { shape.sample_seen(x, u1, u2); }) {
+          return shape.sample_seen(x, u1, u2);
+        } else {
+          const SurfacePoint point = shape.sample(u1, u2);
+          const Vec3d normal = point.geometric_normal;
+          return {point, seen_by_area(point.position, normal, area_, x).solid_angle};
+        }
+      },
+      shape_);
+  return {seen.point.position, color_at(emitted_, seen.point) * seen.solid_angle};
 }
 
 Rgb ShapeLight::power() const {
@@ -22,8 +33,12 @@ Rgb ShapeLight::power() const {
   const int parts = std::holds_alternative<Constant>(emitted_) ? 1 : 256;
   Rgb sum;
   for (int i = 0; i < parts; ++i)
-    for (int j = 0; j < parts; ++j) sum += sample({}, (i + 0.5) / parts, (j + 0.5) / parts).power;
-  return sum * (2.0 * std::numbers::pi / (double{1} * parts * parts));
+    for (int j = 0; j < parts; ++j) {
+      const double u1 = (i + 0.5) / parts, u2 = (j + 0.5) / parts;
+      sum +=
+          color_at(emitted_, std::visit([&](const auto& s) { return s.sample(u1, u2); }, shape_));
+    }
+  return sum * (2.0 * std::numbers::pi * area_ / (double{1} * parts * parts));
 }
 
 }  // namespace portalens

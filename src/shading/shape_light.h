@@ -1,5 +1,6 @@
 /// \file
-/// A shape that emits all over, one colour or a texture. Its points are drawn uniformly by area.
+/// A shape that emits all over, one colour or a texture. Its points are drawn as they are seen, if
+/// the shape knows how, or uniformly by area.
 #pragma once
 
 #include "geometry/shape.h"

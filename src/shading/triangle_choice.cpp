@@ -1,28 +1,40 @@
 #include "shading/triangle_choice.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace portalens {
-
-double area_of(const TriangleCorners& t) { return 0.5 * length(cross(t[1] - t[0], t[2] - t[0])); }
 
 void TriangleChoice::add(const TriangleCorners& corners, double brightness) {
   const double area = area_of(corners);
   area_ += area;
+  triangles_.push_back(corners);
   brightness_.push_back(brightness);
   power_up_to_.push_back((power_up_to_.empty() ? 0.0 : power_up_to_.back()) + area * brightness);
 }
 
-TriangleChoice::Point TriangleChoice::choose(double u1, double u2) const {
-  const double wanted = u1 * power_up_to_.back();
+FewWeights::Choice TriangleChoice::by_power(double u) const {
+  const double wanted = u * power_up_to_.back();
   const auto found = std::upper_bound(power_up_to_.begin(), power_up_to_.end() - 1, wanted);
   const double before = found == power_up_to_.begin() ? 0.0 : *(found - 1);
-  const auto triangle = static_cast<std::size_t>(found - power_up_to_.begin());
-  // What is left of u1 within its triangle is uniform again; then the square folds to a triangle.
-  const double within = std::clamp((wanted - before) / (*found - before), 0.0, 1.0);
-  const double root = std::sqrt(within);
-  return {triangle, root * (1.0 - u2), root * u2, power_up_to_.back() / brightness_[triangle]};
+  const double power = *found - before;
+  return {static_cast<std::size_t>(found - power_up_to_.begin()), power / power_up_to_.back(),
+          std::clamp((wanted - before) / power, 0.0, 1.0)};
+}
+
+SeenPoint TriangleChoice::choose(Vec3d x, double u1, double u2) const {
+  FewWeights::Choice choice;
+  if (size() <= FewWeights::max_count) {
+    FewWeights weights;
+    for (std::size_t i = 0; i < size(); ++i)
+      weights.add(brightness_[i] * solid_angle_of(triangles_[i], x));
+    if (!(weights.total() > 0.0)) return {triangles_[0][0]};
+    choice = weights.choose(u1);
+  } else {
+    choice = by_power(u1);
+  }
+  const TriangleCorners& triangle = triangles_[choice.index];
+  const SeenPoint seen = sample_triangle(triangle, solid_angle_of(triangle, x), x, choice.left, u2);
+  return {seen.position, seen.solid_angle / choice.probability, choice.index};
 }
 
 }  // namespace portalens

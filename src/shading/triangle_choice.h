@@ -1,45 +1,37 @@
 /// \file
-/// Triangles that shine, each of which is chosen with a probability in proportion to its power.
+/// Triangles that shine, drawn in proportion to their light.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
-#include "math/vec3.h"
+#include "math/triangle_sample.h"
 #include "shading/texture.h"
 
 namespace portalens {
 
-using TriangleCorners = std::array<Vec3d, 3>;
-
+/// A few triangles are chosen by how much of their light a place gets, of many each by its power;
+/// within a triangle all directions that it is seen in are as likely.
 class TriangleChoice {
  public:
   /// @param brightness  about its radiance; > 0
   void add(const TriangleCorners& corners, double brightness);
-  [[nodiscard]] std::size_t size() const { return brightness_.size(); }
+  [[nodiscard]] std::size_t size() const { return triangles_.size(); }
+  [[nodiscard]] const TriangleCorners& operator[](std::size_t i) const { return triangles_[i]; }
   [[nodiscard]] double area() const { return area_; }
 
-  /// A point of one of them. Within a triangle all are as likely.
-  struct Point {
-    std::size_t triangle = 0;
-    double second = 0.0, third = 0.0;  ///< its weights of those corners
-    double by_density = 0.0;           ///< 1 over the probability per area
-
-    [[nodiscard]] Vec3d on(const TriangleCorners& t) const {
-      return t[0] + (t[1] - t[0]) * second + (t[2] - t[0]) * third;
-    }
-  };
+  /// A point of one of them, as seen from `x`.
   /// @pre there is one
-  [[nodiscard]] Point choose(double u1, double u2) const;
+  [[nodiscard]] SeenPoint choose(Vec3d x, double u1, double u2) const;
 
  private:
+  [[nodiscard]] FewWeights::Choice by_power(double u) const;
+
+  std::vector<TriangleCorners> triangles_;
   std::vector<double> brightness_;
   std::vector<double> power_up_to_;  ///< up to and with each triangle
   double area_ = 0.0;
 };
-
-[[nodiscard]] double area_of(const TriangleCorners& corners);
 
 /// The mean of what is found in the middles of `parts`² equal parts of a triangle.
 template <class Find>

@@ -34,6 +34,7 @@ Film film_from(Parameters& parameters) {
   if (std::int64_t{film.width} * film.height > max_pixels)
     parameters.fault("width", "the film has more than 268 million pixels",
                      "give a smaller width or height");
+  film.development = Development::from(parameters);
   return film;
 }
 
@@ -195,7 +196,7 @@ World compile(const Scene& scene, const CompileOptions& options) {
   const Film film = read_section(scene.film, faults, film_from);
   const Sampling sampling = read_section(scene.sampler, faults, sampling_from);
   Appearance look;
-  std::uint32_t max_crossings = 16;
+  std::uint32_t max_crossings = 64;
   look.limits = read_section(scene.shading, faults, [&](Parameters& parameters) {
     max_crossings = static_cast<std::uint32_t>(
         parameters.integer("max_crossings", 0, max_allowed_crossings, max_crossings));

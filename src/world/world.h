@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "io/development.h"
 #include "lanes/planned_space.h"
 #include "shading/appearance.h"
 #include "world/camera.h"
@@ -16,6 +17,7 @@ namespace portalens {
 struct Film {
   int width = 960;
   int height = 540;
+  Development development;  ///< of a picture to look at
 };
 
 struct Sampling {

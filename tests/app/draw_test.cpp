@@ -7,6 +7,7 @@
 
 #include "app/draw_scene.h"
 #include "io/image.h"
+#include "io/override.h"
 #include "io/read_scene.h"
 #include "support/run_program.h"
 #include "world/compile.h"

@@ -63,6 +63,49 @@ TEST(Compare, ExitsWith1AboveTheThreshold) {
       0);
 }
 
+Image picture_in(const SceneFolder& folder, const std::string& name) {
+  Faults faults;
+  auto image = read_image(folder.path() / name, Location{}, faults);
+  EXPECT_TRUE(image) << name;
+  return image.value_or(Image{});
+}
+
+TEST(Develop, WritesAPictureAsAnotherKind) {
+  const SceneFolder folder;
+  write_ramp(folder, "a.exr", 0.0f, 1.0f / 256.0f);
+  for (const char* name : {"a.png", "a.jpg", "A.JPEG"}) {
+    const Outcome outcome = run_portalens(folder.path(), {"image", "a.exr", "-o", name});
+    ASSERT_EQ(outcome.code, 0) << outcome.errors;
+    const Image image = picture_in(folder, name);
+    EXPECT_NEAR(image.at(10, 5)[0], 110.0 / 256, name[2] == 'p' ? 0.005 : 0.03) << name;
+    EXPECT_NEAR(image.at(10, 5)[2], 0.25, 0.03) << name;
+  }
+  EXPECT_EQ(folder.read("a.png").substr(1, 3), "PNG");
+  EXPECT_EQ(folder.read("a.jpg").substr(0, 2), "\xff\xd8");
+}
+
+TEST(Develop, ChangesExposureToneAndWhite) {
+  const SceneFolder folder;
+  write_ramp(folder, "a.exr", 0.0f, 1.0f / 256.0f);
+  const auto blue = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words = {"image", "a.exr", "-o", "b.exr"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome outcome = run_portalens(folder.path(), words);
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    return picture_in(folder, "b.exr").at(3, 0)[2];
+  };
+  EXPECT_EQ(blue({}), 0.25f);
+  EXPECT_EQ(blue({"--exposure", "1"}), 0.5f);
+  EXPECT_NEAR(blue({"--tone", "filmic"}), 0.25 * 0.6575 / (0.25 * 1.1975 + 0.14), 1e-5);
+  EXPECT_GT(blue({"--white-balance", "3200"}), 0.3f);
+  EXPECT_EQ(run_portalens(folder.path(), {"image", "a.exr", "-o", "b.exr", "--tone", "film"}).code,
+            2);
+  EXPECT_EQ(run_portalens(folder.path(),
+                          {"image", "a.exr", "--layer", "fate", "-o", "b.exr", "--exposure", "1"})
+                .code,
+            2);
+}
+
 TEST(ShowLayer, HasTheColoursOfItsNumbersAndALegend) {
   const SceneFolder folder;
   write_ramp(folder, "a.exr", 0.0f, 1.0f);
@@ -113,7 +156,7 @@ TEST(ShowLayer, FaultsAreTold) {
   write_image(folder.path() / "small.exr", 1, 1, {{"R", {1}}, {"G", {1}}, {"B", {1}}}, {});
   const std::vector<std::vector<std::string>> wrong = {
       {"image"},
-      {"image", "a.exr", "-o", "b.png"},
+      {"image", "a.exr", "-o", "b.bmp"},
       {"image", "a.exr", "--layer", "depth"},
       {"image", "a.exr", "--layer", "death", "-o", "b.png"},
       {"image", "absent.exr", "--layer", "depth", "-o", "b.png"},

@@ -195,9 +195,10 @@ TEST(Layers, DependOnNeitherThreadsNorCropAndLeaveThePictureAsItWas) {
 TEST(Layers, NeedAFileThatHoldsThem) {
   const SceneFolder folder;
   folder.write("scene.toml", scene);
-  for (const std::vector<std::string>& more : {std::vector<std::string>{"--layers", "depth"},
-                                               {"--layers", "depth", "-o", "a.png"},
-                                               {"--layers", "death", "-o", "a.exr"}}) {
+  for (const std::vector<std::string>& more :
+       {std::vector<std::string>{"--layers", "depth", "-o", "a.png"},
+        {"--layers", "depth", "-o", "a.jpg"},
+        {"--layers", "death", "-o", "a.exr"}}) {
     std::vector<std::string> words = {"render", "scene.toml"};
     words.insert(words.end(), more.begin(), more.end());
     const Outcome outcome = run_portalens(folder.path(), words);

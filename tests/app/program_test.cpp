@@ -23,6 +23,9 @@ TEST(Program, TeachesWhatItDoes) {
     EXPECT_NE(help.output.find(word), std::string::npos) << word;
   for (const char* command : {"render", "check", "trace"})
     EXPECT_EQ(run_portalens(folder.path(), {command, "--help"}).code, 0);
+  EXPECT_EQ(run_portalens(folder.path(), {"help"}).output, help.output);
+  EXPECT_EQ(run_portalens(folder.path(), {"help", "trace"}).output,
+            run_portalens(folder.path(), {"trace", "--help"}).output);
   const Outcome version = run_portalens(folder.path(), {"--version"});
   EXPECT_EQ(version.code, 0);
   EXPECT_EQ(version.output, "portalens " + std::string(api::version) + "\n");

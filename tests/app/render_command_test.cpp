@@ -1,6 +1,9 @@
 /// \file
 /// `portalens render` from end to end: what it writes, what it says, and how it exits.
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <nlohmann/json.hpp>
 
@@ -31,6 +34,56 @@ TEST(Render, WritesThePictureBesideTheUserAndSaysWhere) {
   const Image image = picture_in(folder, "tiny.png");
   EXPECT_EQ(image.width, 8);
   EXPECT_EQ(image.height, 6);
+}
+
+TEST(Render, APngIsDevelopedAnExrKeepsTheLightAndPartsKeepBoth) {
+  const SceneFolder folder;
+  folder.write("tiny.toml", std::string(tiny));
+  const auto run = [&](std::vector<std::string> words) {
+    const Outcome outcome = run_portalens(folder.path(), words);
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  };
+  run({"render", "tiny.toml", "-o", "plain.exr"});
+  run({"render", "tiny.toml", "-o", "dark.exr", "--exposure", "-2"});
+  EXPECT_EQ(picture_in(folder, "dark.exr").pixels, picture_in(folder, "plain.exr").pixels);
+  run({"render", "tiny.toml", "-o", "dark.png", "--exposure", "-2", "--tone", "agx-like"});
+  run({"image", "plain.exr", "-o", "same.png", "--exposure", "-2", "--tone", "agx-like"});
+  EXPECT_EQ(folder.read("dark.png"), folder.read("same.png"));
+  run({"render", "tiny.toml", "-o", "a.part", "--set", "film.exposure=-2", "--tone", "agx-like"});
+  run({"merge", "a.part", "-o", "merged.png"});
+  EXPECT_EQ(folder.read("merged.png"), folder.read("same.png"));
+  const Outcome refused = run_portalens(folder.path(), {"render", "tiny.toml", "--tone", "fimlic"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.errors.find("did you mean filmic?"), std::string::npos) << refused.errors;
+}
+
+TEST(Render, LayersAreWrittenToAnExrUnasked) {
+  const SceneFolder folder;
+  folder.write("tiny.toml", std::string(tiny));
+  const Outcome outcome = run_portalens(folder.path(), {"render", "tiny.toml", "--layers", "all"});
+  EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  Faults faults;
+  const auto picture = read_channels(folder.path() / "tiny.exr", Location{}, faults);
+  ASSERT_TRUE(picture);
+  EXPECT_GT(picture->channels.size(), 10u);
+}
+
+TEST(Render, APictureThatAnotherProcessRendersIsLeftToIt) {
+  const SceneFolder folder;
+  folder.write("tiny.toml", std::string(tiny));
+  const std::filesystem::path lock = folder.path() / ".tiny.png.lock";
+  const int number = ::open(lock.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0644);
+  ASSERT_EQ(::flock(number, LOCK_EX), 0);
+  const Outcome refused = run_portalens(folder.path(), {"render", "tiny.toml"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.errors.find("tiny.png is being rendered by another process; wait"),
+            std::string::npos)
+      << refused.errors;
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "tiny.png"));
+  EXPECT_EQ(run_portalens(folder.path(), {"render", "tiny.toml", "-o", "other.png"}).code, 0);
+  ::close(number);  // as the end of that process would
+  EXPECT_EQ(run_portalens(folder.path(), {"render", "tiny.toml"}).code, 0);
+  EXPECT_FALSE(std::filesystem::exists(lock)) << "nothing is left";
 }
 
 TEST(Render, DrawsNoProgressWhenPiped) {

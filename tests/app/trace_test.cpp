@@ -190,5 +190,38 @@ TEST(Trace, PeopleAreToldInWords) {
     EXPECT_NE(outcome.output.find(part), std::string::npos) << part << '\n' << outcome.output;
 }
 
+/// Light goes straight here: what a pixel's photon meets lies on a straight line from the camera
+/// that went through.
+TEST(Trace, TellsWhereACameraStandsThatWentThrough) {
+  const std::vector<json> answers = traced({"--pixel", "470", "260", "--pixel", "490", "275"});
+  for (const json& answer : answers) {
+    ASSERT_EQ(answer["crossings"], json({"blue"}));
+    const json &camera = answer["camera_beyond"], &end = answer["position"];
+    double along = 0.0, length = 0.0;
+    for (int i = 0; i < 3; ++i) {
+      const double way = end[i].get<double>() - camera["position"][i].get<double>();
+      along += way * answer["direction"][i].get<double>();
+      length += way * way;
+    }
+    EXPECT_NEAR(along, std::sqrt(length), 1e-9 * along);
+  }
+  // 8 before blue, and so 8 behind orange, whose front looks along +z, where the view goes on.
+  expect_vector(answers[0]["camera_beyond"]["position"], 20, 20, 12);
+  expect_vector(answers[0]["camera_beyond"]["look_at"], 20, 20, 13);
+  expect_vector(answers[0]["camera_beyond"]["up"], 0, 1, 0);
+  EXPECT_FALSE(traced({"--ray", "0", "0", "0", "1", "0", "0"})[0].contains("camera_beyond"));
+  const json by_ray = traced({"--ray", "0", "0", "0", "0", "0", "-1"})[0]["camera_beyond"];
+  expect_vector(by_ray["position"], 20, 20, 17);
+  expect_vector(by_ray["look_at"], 20, 20, 18);
+  const SceneFolder folder;
+  folder.write("scene.toml", scene);
+  const std::string text = run_portalens(folder.path(), {"check", "scene.toml"}).output;
+  EXPECT_NE(
+      text.find("a camera that went through: position = [20, 20, 12], look_at = [20, 20, 13], "
+                "up = [0, 1, 0]"),
+      std::string::npos)
+      << text;
+}
+
 }  // namespace
 }  // namespace portalens

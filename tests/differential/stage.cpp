@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "differential/random_scene.h"
+#include "io/override.h"
 #include "io/read_scene.h"
 #include "shading/shading_point.h"
 #include "world/compile.h"

@@ -151,6 +151,37 @@ TYPED_TEST(EachShape, LinesCrossItAsOftenAsItsAreaAndSamplesSay) {
   }
 }
 
+/// The directions in which it is seen, told by rays; weighted, so that it counts where they are.
+TYPED_TEST(EachShape, WhatIsSeenOfItIsSampledByItsSolidAngle) {
+  const auto weight = [](Vec3d way) { return 1.0 + 0.5 * way.x + 0.3 * way.y * way.z; };
+  for (const TypeParam& shape : Samples<TypeParam>::about({0.4, 0.1, 0.2})) {
+    if constexpr (requires { shape.sample_seen(Vec3d{}, 0.5, 0.5); }) {
+      Random random(10);
+      for (int place = 0; place < 6; ++place) {
+        const Vec3d x = shape.bounds().middle() + random.point(place < 3 ? 1.5 : 6);
+        const int count = scaled(20000);
+        double seen = 0.0, sampled = 0.0, squares = 0.0;
+        for (int i = 0; i < count; ++i) {
+          const Vec3d way = random.direction();
+          if (shape.intersect({x, way}, 0.0, infinity)) seen += 4 * M_PI * weight(way) / count;
+          const auto [point, solid_angle] =
+              shape.sample_seen(x, random.uniform(0, 1), random.uniform(0, 1));
+          EXPECT_LT(off_surface(shape, point.position), 1e-12);
+          if (solid_angle == 0.0) continue;
+          const double distance = length(point.position - x);
+          const Vec3d towards = (point.position - x) / distance;
+          const auto first = shape.intersect({x, towards}, 0.0, infinity);
+          EXPECT_TRUE(!first || first->distance > distance - 1e-6) << "it hides itself";
+          const double value = solid_angle * weight(towards);
+          sampled += value / count, squares += value * value / count;
+        }
+        const double error = std::sqrt((squares + 8 * M_PI * (seen + 8 * M_PI / count)) / count);
+        EXPECT_NEAR(sampled, seen, 5 * error);
+      }
+    }
+  }
+}
+
 TYPED_TEST(EachShape, ClearanceNeverExceedsTheDistanceToAnyPointOfIt) {
   for (const TypeParam& shape : Samples<TypeParam>::about({-1, 0, 1})) {
     Random random(6);

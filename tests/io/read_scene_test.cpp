@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "io/override.h"
 #include "io/toml_depth.h"
 #include "support/temporary_folder.h"
 
@@ -140,6 +141,47 @@ TEST(Override, RefusesWhatSetsNothing) {
     EXPECT_EQ(faults.size(), 1U) << assignment;
   }
   EXPECT_EQ(std::get<std::int64_t>(scene.film.find("width")->data), 10);
+}
+
+TEST(Override, SetsValuesOfWhatHasAName) {
+  Scene scene = scene_from("a.toml",
+                           "[[material]]\nname = \"floor\"\n[[sphere]]\nradius = 1\n"
+                           "[[sphere]]\nname = \"a.b\"\n[[sphere]]\nradius = 1\n"
+                           "[[portal]]\nname = \"blue\"\n[[light]]\nintensity = 3\n");
+  Faults faults;
+  override_value(scene, "material.floor.diffuse=[1.0, 0.0, 0.0]", faults);
+  override_value(scene, "sphere.sphere0.radius=2.5", faults);
+  override_value(scene, "sphere.a.b.radius=3.5", faults);
+  override_value(scene, "sphere.sphere2.radius=4.5", faults);
+  override_value(scene, "portal.blue.tint=[0.5, 1.0, 1.0]", faults);
+  override_value(scene, "light.light0.intensity=5.5", faults);
+  EXPECT_NO_THROW(faults.raise());
+  EXPECT_EQ(numbers_of(*scene.materials[0].find("diffuse")), (Numbers{1, 0, 0}));
+  EXPECT_EQ(number_of(scene.objects[0], "radius"), 2.5);
+  EXPECT_EQ(number_of(scene.objects[1], "radius"), 3.5);
+  EXPECT_EQ(number_of(scene.objects[2], "radius"), 4.5);
+  EXPECT_EQ(numbers_of(*scene.objects[3].find("tint")), (Numbers{0.5, 1, 1}));
+  EXPECT_EQ(number_of(scene.lights[0], "intensity"), 5.5);
+}
+
+TEST(Override, SaysWhichNamesThereAre) {
+  for (const auto& [assignment, message] :
+       {std::pair{"sphere.bal.radius=2", "no [[sphere]] is named 'bal'; did you mean ball?"},
+        {"cube.ball.size=2", "the scene has no [[cube]]; "},
+        {"sphere.radius=2",
+         "'sphere.radius' does not say which one; write its name, as in "
+         "sphere.ball.radius=..."},
+        {"sphere..radius=2", "sets nothing"}}) {
+    Scene scene = scene_from("a.toml", "[[sphere]]\nname = \"ball\"\n");
+    Faults faults;
+    override_value(scene, assignment, faults);
+    try {
+      faults.raise();
+      ADD_FAILURE() << assignment;
+    } catch (const SceneError& error) {
+      EXPECT_NE(std::string(error.what()).find(message), std::string::npos) << error.what();
+    }
+  }
 }
 
 constexpr const char* small_obj = R"(# the paper's kind of file

@@ -55,6 +55,19 @@ class Package(unittest.TestCase):
                 f"-DCMAKE_PREFIX_PATH={PREFIX}", env=environment)
         succeed(CMAKE, "--build", "build", "--parallel", "2")
 
+    def test_the_manual_the_completions_and_the_scenes_are_there(self):
+        page = (PREFIX / "share" / "man" / "man1" / "portalens.1").read_text()
+        for command in ("RENDER", "TRACE", "IMAGE"):
+            self.assertIn(f".SH PORTALENS {command}", page)
+        self.assertIn("\\-\\-layers", page)
+        self.assertTrue((PREFIX / "share" / "portalens" / "scenes" / "demo.toml").is_file())
+        self.assertTrue((PREFIX / "share" / "zsh" / "site-functions" / "_portalens").is_file())
+        script = PREFIX / "share" / "bash-completion" / "completions" / "portalens"
+        program = PREFIX / "bin" / "portalens"
+        words = succeed("bash", "-c", f"source '{script}'; COMP_WORDS=('{program}' render --sam); "
+                        "COMP_CWORD=2; _portalens; echo ${COMPREPLY[*]}").split()
+        self.assertEqual(words, ["--samples", "--samples-from", "--samples-to"])
+
     def test_the_program_of_the_page_builds_and_runs_as_it_stands(self):
         room = ROOM / "page"
         room.mkdir()

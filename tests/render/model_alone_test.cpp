@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "io/override.h"
 #include "io/read_scene.h"
 #include "render/render.h"
 #include "support/scene_folder.h"

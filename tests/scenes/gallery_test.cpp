@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "io/override.h"
 #include "io/read_scene.h"
 #include "render/render.h"
 #include "world/compile.h"

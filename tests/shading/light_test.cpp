@@ -85,15 +85,43 @@ TEST(PortalBackLight, ShinesOnItsOwnSideAsAMeshDoesOnBoth) {
   EXPECT_NEAR(back.power().x, pi, 1e-12);
 }
 
-/// The far half of the sphere would be hidden by the near one: only samples that face x count.
 TEST(ShapeLight, ASphereGivesPiTimesTheSquareOfTheSineOfItsHalfAngle) {
   const ShapeLight light(Sphere({0, 3, 0}, 1.5), Constant{{2, 2, 2}});
-  const Vec3d x{0, 0, 0}, n{0, 1, 0};
-  const auto e = test::estimate(test::scaled(40000), [&](std::uint64_t i) {
-    const LightSample sample = light.sample(x, random_number(i, 0), random_number(i, 1));
-    return dot(sample.normal, x - sample.position) > 0 ? irradiance(sample, x, n).x : 0.0;
-  });
+  const auto e = irradiance_of(light, {0, 0, 0}, {0, 1, 0});
   EXPECT_NEAR(e.mean, 2 * pi * 0.25, 4 * e.error);
+}
+
+/// Of a lamp of one radiance that lies above the horizon as a whole, only the cosine differs from
+/// sample to sample.
+TEST(ShapeLight, WhatIsDrawnAsItIsSeenHardlyDiffers) {
+  const Texture glow = Constant{{1, 1, 1}};
+  const std::array<Vec3d, 4> corners{{{-1, 2, -1}, {1, 2, -1}, {1, 2, 1}, {-1, 2, 1}}};
+  const std::vector<ShapeLight> lights{ShapeLight(Sphere({0, 3, 0}, 0.5), glow),
+                                       ShapeLight(Cube({0, 3, 0}, {1, 1, 1}, {10, 20, 30}), glow),
+                                       ShapeLight(Quad(corners), glow)};
+  for (const ShapeLight& light : lights) {
+    double low = 1e9, high = 0.0;
+    for (std::uint64_t i = 0; i < 1000; ++i) {
+      const LightSample sample = light.sample({}, random_number(i, 0), random_number(i, 1));
+      low = std::min(low, sample.facing.x);
+      high = std::max(high, sample.facing.x);
+    }
+    EXPECT_NEAR(low, high, 1e-9 * high);
+  }
+}
+
+/// Beside a wall that shines, and within a sphere and a cube that do.
+TEST(ShapeLight, FromWithinAndFromNearByItIsRight) {
+  const Texture glow = Constant{{1, 1, 1}};
+  for (const Vec3d x : {Vec3d{}, {0.3, 0.2, -0.4}}) {
+    const auto sphere = irradiance_of(ShapeLight(Sphere({}, 1), glow), x, {0, 1, 0});
+    EXPECT_NEAR(sphere.mean, pi, 4 * sphere.error);
+    const auto cube = irradiance_of(ShapeLight(Cube({}, {2, 3, 2}, {}), glow), x, {0, 1, 0});
+    EXPECT_NEAR(cube.mean, pi, 4 * cube.error);
+  }
+  const std::array<Vec3d, 4> wide{{{-1e5, 1, -1e5}, {1e5, 1, -1e5}, {1e5, 1, 1e5}, {-1e5, 1, 1e5}}};
+  const auto wall = irradiance_of(ShapeLight(Quad(wide), glow), {3, 0, 2}, {0, 1, 0});
+  EXPECT_NEAR(wall.mean, pi, 4 * wall.error + 1e-4);
 }
 
 /// Squares of a checker are rectangles, each with its configuration factor.

@@ -118,6 +118,12 @@ TEST(Shade, TheSkyTheDarkAndTheLostHaveTheirColours) {
   escaped.tint = lost.tint = {0, 1, 1};
   EXPECT_EQ(light_from(space, shade_one(space, look, escaped, 1, photon)), (Rgb{0, 1, 1.5}));
   EXPECT_EQ(light_from(space, shade_one(space, look, lost, 1, photon)), (Rgb{0.5, 0, 0.5}));
+  // At the end of a corridor of portals: what would be seen there, if nothing else is asked for.
+  lost.out_of_crossings = true;
+  EXPECT_EQ(light_from(space, shade_one(space, look, lost, 1, photon)),
+            light_from(space, shade_one(space, look, escaped, 1, photon)));
+  look.limits.lost_color_given = true;
+  EXPECT_EQ(light_from(space, shade_one(space, look, lost, 1, photon)), (Rgb{0.5, 0, 0.5}));
   for (const Fate fate : {Fate::absorbed, Fate::trapped}) {
     const ShadeOutput output = shade_one(space, look, fate_of(fate));
     EXPECT_TRUE(output.light.empty() && output.secondary.empty() && output.shadows.empty());

@@ -32,7 +32,7 @@ TEST(Compile, AnEmptySceneHasTheDefaultsOfTheFormat) {
   EXPECT_DOUBLE_EQ(physics.max_turning, 8 * std::acos(-1.0));
   EXPECT_EQ(physics.portal_gravity_depth, 1);
   EXPECT_EQ(physics.graviton_resolution, 32);
-  EXPECT_EQ(world.space.max_crossings, 16u);
+  EXPECT_EQ(world.space.max_crossings, 64u);
   const ShadingLimits& limits = world.appearance.limits;
   EXPECT_EQ(limits.max_bounces, 8u);
   EXPECT_EQ(limits.lost_color, (Rgb{1, 0, 1}));

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "io/override.h"
 #include "support/random.h"
 #include "support/scene_text.h"
 

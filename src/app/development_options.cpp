@@ -1,0 +1,85 @@
+#include "app/development_options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <functional>
+#include <map>
+#include <string>
+
+#include "app/choices.h"
+
+namespace portalens {
+namespace {
+
+constexpr const char* exposure_meaning =
+    "Of a picture to look at (not .exr), the light times 2^STOPS";
+constexpr const char* tone_meaning =
+    "How it fits bright light in: linear (it burns out at 1), filmic, agx-like (bright colours go "
+    "towards white)";
+constexpr const char* white_balance_meaning =
+    "The temperature of a black body that looks white, 1667 to 25000 K; below 6504 K it makes "
+    "the picture bluer";
+
+/// A number as `fmt` has written it; 0 if it is none.
+double number_in(const std::string& text) {
+  double number = 0.0;
+  std::from_chars(text.data(), text.data() + text.size(), number);
+  return number;
+}
+
+}  // namespace
+
+std::vector<CLI::Option*> add_development_options(CLI::App& command, Development& development) {
+  std::map<std::string, Tone> tones;
+  for (std::size_t i = 0; i < tone_names.size(); ++i)
+    tones.emplace(tone_names[i], static_cast<Tone>(i));
+  return {command.add_option("--exposure", development.exposure, exposure_meaning)
+              ->check(CLI::Range(exposure_bounds.low, exposure_bounds.high))
+              ->type_name("STOPS"),
+          command.add_option("--tone", development.tone, tone_meaning)
+              ->transform(one_of(tones))
+              ->type_name("NAME"),
+          command.add_option("--white-balance", development.white_balance, white_balance_meaning)
+              ->check(CLI::Range(white_balance_bounds.low, white_balance_bounds.high))
+              ->type_name("KELVIN")};
+}
+
+void add_development_overrides(CLI::App& command,
+                               const std::function<void(const char*, const std::string&)>& set) {
+  const auto add = [&](const char* option, const char* key, const char* type,
+                       const std::string& meaning) {
+    command
+        .add_option_function<std::string>(
+            option, [set, key](const std::string& value) { set(key, value); },
+            fmt::format("{} ({})", meaning, key))
+        ->type_name(type);
+  };
+  add("--exposure", "film.exposure", "STOPS", exposure_meaning);
+  add("--tone", "film.tone", "NAME", tone_meaning);
+  add("--white-balance", "film.white_balance", "KELVIN", white_balance_meaning);
+}
+
+Metadata development_metadata(const Development& development) {
+  Metadata metadata = {
+      {"portalens:exposure", fmt::format("{}", development.exposure)},
+      {"portalens:tone", std::string(tone_names[static_cast<std::size_t>(development.tone)])}};
+  if (development.white_balance)
+    metadata.emplace_back("portalens:white_balance", fmt::format("{}", *development.white_balance));
+  return metadata;
+}
+
+Development development_in(const Metadata& header) {
+  Development development;
+  for (const auto& [key, value] : header) {
+    if (key == "portalens:exposure") development.exposure = number_in(value);
+    if (key == "portalens:white_balance") development.white_balance = number_in(value);
+    const auto* const tone = std::find(tone_names.begin(), tone_names.end(), value);
+    if (key == "portalens:tone" && tone != tone_names.end())
+      development.tone = static_cast<Tone>(tone - tone_names.begin());
+  }
+  return development;
+}
+
+}  // namespace portalens

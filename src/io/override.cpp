@@ -1,0 +1,111 @@
+#include "io/override.h"
+
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/words.h"
+#include "io/toml.h"
+#include "io/vocabulary.h"
+
+namespace portalens {
+namespace {
+
+/// `key` of `[section]`, or of the `[[section]]` of that name.
+struct Target {
+  std::string section;
+  std::optional<std::string> name;
+  std::string key;
+};
+
+/// What stands before the equals sign; a name may have dots in it, a key none.
+std::optional<Target> target_in(const std::string& path) {
+  const std::size_t first = path.find('.'), last = path.rfind('.');
+  if (first == std::string::npos || first == 0 || last + 1 == path.size()) return std::nullopt;
+  Target target{path.substr(0, first), std::nullopt, path.substr(last + 1)};
+  if (last > first + 1) target.name = path.substr(first + 1, last - first - 1);
+  if (last == first + 1) return std::nullopt;
+  return target;
+}
+
+std::vector<Table*> tables_of(Scene& scene) {
+  std::vector<Table*> tables;
+  for (auto* list : {&scene.materials, &scene.lights, &scene.objects})
+    for (Table& table : *list) tables.push_back(&table);
+  return tables;
+}
+
+std::string name_of(const Table& table, std::size_t index) {
+  const Value* name = table.find("name");
+  const auto* given = name ? std::get_if<std::string>(&name->data) : nullptr;
+  return given ? *given : table.kind + std::to_string(index);
+}
+
+void add_once(std::vector<std::string>& words, const std::string& word) {
+  for (const std::string& known : words)
+    if (known == word) return;
+  words.push_back(word);
+}
+
+/// The element that is meant; where there is none, a fault says which there are.
+Table* find_element(Scene& scene, const Target& target, Faults& faults) {
+  std::vector<std::string> kinds, names;
+  for (Table* table : tables_of(scene)) {
+    add_once(kinds, table->kind);
+    if (table->kind != target.section) continue;
+    names.push_back(name_of(*table, names.size()));
+    if (names.back() == target.name) return table;
+  }
+  if (names.empty())
+    faults.add({}, "the scene has no [[" + target.section + "]]",
+               suggestion_or_list(target.section, kinds));
+  else
+    faults.add({}, "no [[" + target.section + "]] is named " + in_quotes(*target.name),
+               suggestion_or_list(*target.name, names));
+  return nullptr;
+}
+
+/// An element was meant, but not named; or a section that there is not.
+void refuse_section(Scene& scene, const Target& target, Faults& faults) {
+  std::size_t count = 0;
+  std::string name;
+  for (const Table* table : tables_of(scene))
+    if (table->kind == target.section && count++ == 0) name = name_of(*table, 0);
+  if (count > 0)
+    faults.add({}, in_quotes(target.section + "." + target.key) + " does not say which one",
+               "write its name, as in " + target.section + "." + name + "." + target.key + "=...");
+  else
+    faults.add({}, "unknown section " + in_quotes(target.section),
+               suggestion_or_list(target.section, sections_known()));
+}
+
+}  // namespace
+
+void override_value(Scene& scene, const std::string& assignment, Faults& faults) {
+  const std::size_t equals = assignment.find('=');
+  const auto target =
+      equals == std::string::npos ? std::nullopt : target_in(assignment.substr(0, equals));
+  if (!target) {
+    faults.add({}, in_quotes(assignment) + " sets nothing",
+               "write SECTION.KEY=VALUE, as in physics.tolerance=1e-5, or KIND.NAME.KEY=VALUE, as "
+               "in sphere.ball.radius=2");
+    return;
+  }
+  Table* table =
+      target->name ? find_element(scene, *target, faults) : find_section(scene, target->section);
+  if (!table) {
+    if (!target->name) refuse_section(scene, *target, faults);
+    return;
+  }
+  auto value = read_toml_value(assignment.substr(equals + 1));
+  if (!value) {
+    faults.add({}, in_quotes(assignment.substr(equals + 1)) + " is no value",
+               "give a number, true or false, a word, a \"string\" or a [list]");
+    return;
+  }
+  table->set(target->key, std::move(*value));
+  if (!target->name && target->section == "camera") scene.has_camera = true;
+}
+
+}  // namespace portalens

@@ -1,0 +1,94 @@
+/// \file
+/// What the pages of docs/ tell a reader to type works as it is written.
+#include <gtest/gtest.h>
+
+#include <regex>
+#include <sstream>
+
+#include "support/run_program.h"
+
+namespace portalens {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path root = PORTALENS_SOURCE_DIR;
+
+std::string page(const std::string& name) {
+  std::ostringstream text;
+  text << std::ifstream(root / "docs" / name).rdbuf();
+  return text.str();
+}
+
+/// What pages call scene.toml: wide, since a crop of them is.
+const std::string any_scene =
+    "film = { width = 1920, height = 540 }\nsampler = { samples = 1 }\n"
+    "[[sphere]]\nname = \"ball\"\ncenter = [0, 0, 0]\nradius = 1\n"
+    "[[light]]\nposition = [3, 4, 5]\nintensity = [50, 50, 50]\n";
+
+/// The commands of a page, and the words that it abbreviates; those that go on from an interrupted
+/// render, and those that make the pictures of the gallery (tests/scenes has them), are left out.
+std::vector<std::string> commands_of(const std::string& text) {
+  const std::regex line("\n    ((?:portalens |[a-z]+=\")[^\n]*)");
+  std::vector<std::string> commands;
+  for (std::sregex_iterator i(text.begin(), text.end(), line), end; i != end; ++i) {
+    const std::string command = (*i)[1];
+    if (command.find("docs/gallery") != std::string::npos ||
+        command.find("--resume") != std::string::npos)
+      continue;
+    commands.push_back(command);
+  }
+  return commands;
+}
+
+/// A folder in which they may be typed.
+void furnish(const SceneFolder& folder) {
+  fs::create_directory(folder.path() / "bin");
+  fs::create_symlink(PORTALENS_PROGRAM, folder.path() / "bin" / "portalens");
+  fs::create_symlink(root / "scenes", folder.path() / "scenes");
+  folder.write("scene.toml", any_scene);
+}
+
+struct Page : testing::TestWithParam<const char*> {};
+
+TEST_P(Page, ItsCommandsWork) {
+  const SceneFolder folder;
+  furnish(folder);
+  std::string before = "export PATH=\"$PWD/bin:$PATH\"; ";
+  int run = 0;
+  for (std::string command : commands_of(page(GetParam()))) {
+    if (!command.starts_with("portalens")) {
+      before += command + "; ";
+      continue;
+    }
+    // A thousand samples of a pixel show no more than a few.
+    command = std::regex_replace(command, std::regex("--samples 1024"), "--samples 2");
+    const std::size_t note = command.find("  #");
+    const Outcome outcome = run_shell(folder.path(), before + command.substr(0, note));
+    EXPECT_EQ(outcome.code, 0) << command << '\n' << outcome.errors;
+    ++run;
+  }
+  EXPECT_GT(run, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Page,
+                         testing::Values("checkpoints.md", "drawing.md", "scene-files.md",
+                                         "see-why.md"),
+                         [](const auto& tested) {
+                           const std::string name = tested.param;
+                           return std::regex_replace(name, std::regex("[^a-z]"), "_");
+                         });
+
+TEST(SceneFormat, ItsFirstBlockIsAScene) {
+  const std::string text = page("scene-format.md"), opening = "```toml\n";
+  const std::size_t from = text.find(opening) + opening.size();
+  const SceneFolder folder;
+  folder.write("pasted.toml", text.substr(from, text.find("```", from) - from));
+  const Outcome checked = run_portalens(folder.path(), {"check", "pasted.toml"});
+  EXPECT_EQ(checked.code, 0) << checked.errors;
+  EXPECT_EQ(checked.output.find("warning"), std::string::npos) << checked.output;
+  EXPECT_EQ(run_portalens(folder.path(), {"render", "pasted.toml", "--width", "48"}).code, 0);
+}
+
+}  // namespace
+}  // namespace portalens
