@@ -110,7 +110,7 @@ class LaneDriver {
     }
     arrival.position = state.position;
     arrival.direction = state.direction;
-    end(lane);
+    end(lane, lanes_.askew[lane]);
   }
 
   /// Lets the scalar engine see to what lanes don't. Never inlined: it is seldom, and large.
@@ -135,7 +135,7 @@ class LaneDriver {
     if (arrived || scalar_.gives_up()) {
       arrival = scalar_.way().arrived();
       arrival.handed_over = handed_over;
-      end(lane);
+      end(lane, scalar_.way().drift.direction);
     } else {
       if (is_told(lane) && scalar_.way().arrival.crossings != arrival.crossings) {
         PathRecord& told = records_[photon_[lane]];
@@ -148,21 +148,43 @@ class LaneDriver {
     }
   }
 
-  /// Takes a photon from its start again: where it drifted, more strictly; where that does not
-  /// help, by the scalar engine.
+  /// Leaves a photon to the scalar engine, from its start.
   [[gnu::noinline]] void resign(int lane) {
-    const bool drifts = lanes_.askew[lane] > lanes_.max_drift[lane];
-    if (drifts && states_.strictness(lane) < max_lane_strictness) {
-      begin(lane, states_.strictness(lane) + 1);
-      return;
-    }
     if (is_told(lane)) records_[photon_[lane]].lose_track();
     Arrival& arrival = arrivals_[photon_[lane]];
-    const Photon& photon = photons_[photon_[lane]];
-    arrival = drifts ? scalar_.advance_finer(photon, nullptr, std::nullopt)
-                     : scalar_.advance(photon, nullptr);
+    arrival = scalar_.advance(photons_[photon_[lane]], nullptr);
     arrival.handed_over = arrival.steps;
-    end(lane);
+    finish(lane);
+  }
+
+  /// Where the path of a lane has ended: one that may have drifted too far is taken again.
+  /// @param drifted  by how much its direction may have
+  void end(int lane, double drifted) {
+    const Arrival& arrival = arrivals_[photon_[lane]];
+    const double trusted = arrival.fate == Fate::absorbed
+                               ? absorbed_drift
+                               : plan_.max_drift * lane_strictness[states_.strictness(lane)].drifts;
+    if (drifted <= trusted)
+      finish(lane);
+    else
+      take_again(lane);
+  }
+
+  /// In finer steps, until two in a row end alike; where they don't, by the scalar engine.
+  [[gnu::noinline]] void take_again(int lane) {
+    Arrival& arrival = arrivals_[photon_[lane]];
+    const int strictness = states_.strictness(lane);
+    if (strictness > 0 && end_alike(coarser_[lane], arrival, space_.physics.tolerance)) {
+      finish(lane);
+    } else if (strictness < max_lane_strictness) {
+      coarser_[lane] = arrival;
+      begin(lane, strictness + 1);
+    } else {
+      if (is_told(lane)) records_[photon_[lane]].lose_track();
+      arrival = scalar_.advance_finer(photons_[photon_[lane]], nullptr, arrival, 1e-2);
+      arrival.handed_over = arrival.steps;
+      finish(lane);
+    }
   }
 
   /// Whether a portal led into a horizon: lanes look for those that a path comes to, not for one
@@ -213,7 +235,7 @@ class LaneDriver {
     way.pass(arrival.position + arrival.direction * rest, arrival.length + rest, arrival.turning);
   }
 
-  void end(int lane) {
+  void finish(int lane) {
     if (is_told(lane)) note_end(arrivals_[photon_[lane]], records_[photon_[lane]]);
     --in_flight_;
     refill(lane);
@@ -318,6 +340,8 @@ class LaneDriver {
   LaneStates states_;
   Lanes& lanes_;
   std::array<std::size_t, lane_count> photon_{};
+  std::array<Arrival, lane_count>
+      coarser_{};  ///< of a path that was taken again, how it ended before
   std::size_t next_ = 0;
   int in_flight_ = 0;
 };

@@ -40,12 +40,8 @@ class LanePack {
     R gradient;  ///< of the acceleration over c² at its start, 1/length²
     R error;     ///< by which it may err, radians
   };
-  /// What becomes of a path.
-  struct Path {
-    Mask within;  ///< it keeps the limits of length, turning and steps
-    R drifted;    ///< how much its direction has
-  };
-  [[nodiscard]] Path take(const Move& move, Mask stays) const {
+  /// @return which paths keep the limits of length, turning and steps
+  [[nodiscard]] Mask take(const Move& move, Mask stays) const {
     write(&Lanes::x, stays, move.from.x, move.place.x);
     write(&Lanes::y, stays, move.from.y, move.place.y);
     write(&Lanes::z, stays, move.from.z, move.place.z);
@@ -59,9 +55,9 @@ class LanePack {
     const R length = add(&Lanes::length, stays, move.length);
     const R turning = add(&Lanes::turning, stays, move.turning);
     const R steps = add(&Lanes::steps, stays, R(1));
-    return {(length <= R(scene_.max_length)) & (turning <= R(scene_.max_turning)) &
-                (steps <= R(scene_.max_steps)),
-            drift(move, stays)};
+    drift(move, stays);
+    return (length <= R(scene_.max_length)) & (turning <= R(scene_.max_turning)) &
+           (steps <= R(scene_.max_steps));
   }
 
   /// How far from where it should be a path may be after a straight flight.
@@ -79,13 +75,6 @@ class LanePack {
     return bits(event > R(0));
   }
 
-  /// Which paths have drifted too far. `max_drift` holds only where the step ends in an event other
-  /// than a horizon; until then `max_absorbed` does, for an absorbed path tells no direction.
-  [[nodiscard]] Mask has_drifted(R drifted, R event) const {
-    const Mask tells = (event > R(0)) & !(event == code(LaneEvent::horizon));
-    return drifted > select(tells, read(&Lanes::max_drift), R(scene_.max_absorbed));
-  }
-
   [[nodiscard]] static R code(LaneEvent event) { return R(static_cast<int>(event)); }
 
  private:
@@ -99,16 +88,14 @@ class LanePack {
     write(row, sum);
     return sum;
   }
-  /// What the step and the rounding of where it ends add to what a way has drifted; how much its
-  /// direction then has.
-  [[nodiscard]] R drift(const Move& move, Mask stays) const {
+  /// What the step and the rounding of where it ends add to what a way has drifted.
+  void drift(const Move& move, Mask stays) const {
     const Drift<R> before{read(&Lanes::astray), read(&Lanes::askew)};
     Drift<R> after = before;
     after.pass(move.length, move.gradient, move.error + R(rounding));
     const R size = span(move.place);
     write(&Lanes::astray, stays, before.place, multiply_add(size, R(rounding), after.place));
     write(&Lanes::askew, stays, before.direction, after.direction);
-    return select(stays, before.direction, after.direction);
   }
 
   const LaneScene& scene_;

@@ -148,8 +148,7 @@ void set_steps(const Space& space, double ahead, LanePlan& plan) {
   scene.third_weight = static_cast<float>(step.third_weight);
   scene.tolerance = static_cast<float>(physics.tolerance);
   const int masses = scene.mass_count + scene.many.count;
-  scene.max_drift = static_cast<float>(trusted_drift_in_lanes(masses, physics.tolerance));
-  scene.max_absorbed = static_cast<float>(absorbed_drift);
+  plan.max_drift = trusted_drift_in_lanes(masses, physics.tolerance);
   scene.feedback_weight = static_cast<float>(step.feedback_weight);
   scene.overshoot = static_cast<float>(overshoot_for(space, ahead));
   scene.ahead = static_cast<float>(ahead);

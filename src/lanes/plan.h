@@ -24,7 +24,8 @@ struct LanePlan {
   IsolatedMasses isolated;                  ///< that `scene.isolated` are
   /// The masses that `scene.masses` begin with, or those that `scene.many` holds.
   std::vector<std::uint32_t> stepped;
-  MassGrid many;  ///< that `scene.many` looks into
+  MassGrid many;           ///< that `scene.many` looks into
+  double max_drift = 0.0;  ///< of a path that is trusted, radians; by its `LaneStrictness` more
   /// The shapes that `scene.boxes` hold: steps near those are left to the scalar engine.
   std::vector<std::uint32_t> boxed;
 

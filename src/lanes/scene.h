@@ -214,13 +214,11 @@ struct LaneScene {
   float stiffness_weight, nearness_weight;  ///< of the step, see Radau
   float third_weight, feedback_weight;      ///< of the step's roughness, see Radau
   float tolerance;                          ///< of the scene's physics, radians
-  float max_drift;     ///< of a path that lanes may follow, radians; by its `LaneStrictness` more
-  float max_absorbed;  ///< of one that ends in a horizon
-  float ahead;         ///< the place that decides what acts lies this far ahead
-  float overshoot;     ///< a step ends this far past a boundary
-  float farthest;      ///< no step in the field is longer
-  float graze2;  ///< square of half a chord: who grazes an isolated mass by less is not turned
-  float radius;  ///< all there is lies in a ball of that about the centre
+  float ahead;      ///< the place that decides what acts lies this far ahead
+  float overshoot;  ///< a step ends this far past a boundary
+  float farthest;   ///< no step in the field is longer
+  float graze2;     ///< square of half a chord: who grazes an isolated mass by less is not turned
+  float radius;     ///< all there is lies in a ball of that about the centre
   float flight_limit;  ///< floats are too coarse for a flight that begins further out
   float max_length, max_turning, max_steps;
   LaneMass masses[max_lane_masses];
@@ -263,9 +261,8 @@ struct alignas(64) Lanes {
   float x[lane_count], y[lane_count], z[lane_count];
   float tx[lane_count], ty[lane_count], tz[lane_count];
   float length[lane_count], turning[lane_count], steps[lane_count];
-  float longest[lane_count];    ///< of the next step: what the error of the last allows
-  float judged[lane_count];     ///< its `LaneStrictness`
-  float max_drift[lane_count];  ///< radians: a path that drifts further is taken again
+  float longest[lane_count];  ///< of the next step: what the error of the last allows
+  float judged[lane_count];   ///< its `LaneStrictness`
   float shorter[lane_count];
   float astray[lane_count];         ///< its `Drift`: of its place,
   float askew[lane_count];          ///< and of its direction

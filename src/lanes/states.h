@@ -65,7 +65,6 @@ class LaneStates {
     lanes_.astray[lane] = lanes_.askew[lane] = 0.0f;
     strictness_[lane] = strictness;
     lanes_.judged[lane] = lane_strictness[strictness].judged;
-    lanes_.max_drift[lane] = plan_.scene.max_drift * lane_strictness[strictness].drifts;
     lanes_.shorter[lane] = lane_strictness[strictness].shorter;
   }
 
@@ -94,7 +93,6 @@ class LaneStates {
     lanes_.longest[lane] = never;
     lanes_.astray[lane] = lanes_.askew[lane] = 0.0f;
     lanes_.judged[lane] = lanes_.shorter[lane] = 1.0f;
-    lanes_.max_drift[lane] = plan_.scene.max_drift;
     lanes_.live[lane] = 0.0f;
   }
 

@@ -65,14 +65,14 @@ class LaneStepper {
     R crossed(0);
     const bool crosses = has_isolated() && any(isolated.enters);
     if (crosses) crossed = cross(isolated, move, found);
-    const auto [within, drifted] = pack_.take(move, stays);
+    const Mask within = pack_.take(move, stays);
 
     R event = select(live & !course.again & !within, code(LaneEvent::limit), R(0));
     if (crosses) {
       const Mask counts = (event == R(0)) | (crossed == code(LaneEvent::horizon));
       event = select(isolated.enters & counts, crossed, event);
     }
-    return tell(event, live, drifted, found, course);
+    return tell(event, found, course);
   }
 
  private:
@@ -278,13 +278,12 @@ class LaneStepper {
   }
 
   /// @param event  a limit that is passed, or an isolated mass that is crossed
-  [[nodiscard]] std::uint32_t tell(R event, Mask live, R drifted, const LaneFinding<R>& found,
+  [[nodiscard]] std::uint32_t tell(R event, const LaneFinding<R>& found,
                                    const Course& course) const {
     event = select(course.ends & (found.event > R(0)), found.event, event);
     event = select(course.escapes, code(LaneEvent::escape), event);
     event = select(course.consults, code(LaneEvent::consult), event);
-    const Mask drifts = live & pack_.has_drifted(drifted, event);
-    event = select(course.resigns | drifts, code(LaneEvent::resign), event);
+    event = select(course.resigns, code(LaneEvent::resign), event);
     return pack_.tell(event, found.object);
   }
 

@@ -43,30 +43,32 @@ class Tracer : public Traveller {
     follow(photon, path_trace);
     const Arrival found = ray_state_.arrived();
     if constexpr (!I::fixed_step)
-      if (has_drifted()) return advance_finer(photon, path_trace, found);
+      if (has_drifted()) return advance_finer(photon, path_trace, found, 1e-1);
     return found;
   }
 
   /// Follows a photon that drifted too far again, at smaller and smaller tolerances: near capture,
   /// and where it is led through portals many times, a path magnifies every error made on it.
-  /// @param coarse  the arrival at the scene's tolerance; nothing where lanes have tried finer
-  ///                steps in vain: then it begins at a hundredth of the tolerance
-  [[nodiscard]] Arrival advance_finer(const Photon& photon, PathTrace* path_trace,
-                                      std::optional<Arrival> coarse) {
+  /// Until one drifts no more, or two in a row end alike.
+  /// @param found     the arrival of coarser steps
+  /// @param at_first  the share of the tolerance to begin with
+  [[nodiscard]] Arrival advance_finer(const Photon& photon, PathTrace* path_trace, Arrival found,
+                                      double at_first) {
     const Physics& physics = space_.physics;
     const I usual = integrator_;
     for (const double share : {1e-1, 1e-2, 1e-4}) {
-      if (!coarse && share > 1e-2) continue;
+      if (share > at_first) continue;
       tolerance_ = share * physics.tolerance;
       integrator_ = I::from({physics.step, tolerance_});
       follow(photon, path_trace);
-      if (coarse && ray_state_.arrival.steps >= physics.max_steps) break;
-      coarse = ray_state_.arrived();
-      if (!has_drifted() || tolerance_ < finest) break;
+      if (ray_state_.arrival.steps >= physics.max_steps) break;
+      const Arrival before = std::exchange(found, ray_state_.arrived());
+      if (!has_drifted() || end_alike(before, found, physics.tolerance) || tolerance_ < finest)
+        break;
     }
     tolerance_ = physics.tolerance;
     integrator_ = usual;
-    return *coarse;
+    return found;
   }
 
   /// One flight or step; whether the photon has arrived.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "math/multiply_add.h"
+#include "photon/photon.h"
 
 namespace portalens {
 
@@ -42,5 +43,20 @@ inline constexpr double trusted_drift = 8.0;
 
 /// So far a path that ends in a horizon may drift, radians: it is asked for no direction.
 inline constexpr double absorbed_drift = 0.1;
+
+/// Whether a photon's path in finer steps ends as the one in coarser steps did: then it is trusted,
+/// however far it may have drifted. The estimate of the drift takes every pull for one that leads
+/// neighbours apart; gravity through a portal, which does not fall off, may hold them together for
+/// as long as it acts. Paths of hardly more steps err alike, and tell nothing.
+[[nodiscard]] inline bool end_alike(const Arrival& coarser, const Arrival& finer,
+                                    double tolerance) {
+  constexpr double share = 0.1;  // of the tolerance
+  constexpr double more_steps = 1.2;
+  if (finer.fate != coarser.fate || finer.met != coarser.met || finer.object != coarser.object ||
+      finer.crossings != coarser.crossings || !(finer.steps > more_steps * coarser.steps))
+    return false;
+  return finer.fate == Fate::absorbed ||
+         length(finer.direction - coarser.direction) <= share * tolerance;
+}
 
 }  // namespace portalens
