@@ -7,7 +7,9 @@
 #include <optional>
 #include <utility>
 
+#include "lanes/limits.h"
 #include "lanes/log.h"
+#include "lanes/polish.h"
 #include "lanes/reached_portals.h"
 #include "lanes/states.h"
 #include "photon/advance.h"
@@ -37,7 +39,6 @@ class LaneDriver {
         arrivals_(arrivals),
         records_(records),
         log_(plan.center),
-        shapes_(space.surfaces.shapes()),
         states_(space, plan),
         lanes_(states_.rows()) {}
 
@@ -90,7 +91,8 @@ class LaneDriver {
     if (!states_.is_number(lane)) {
       arrival.fate = Fate::lost;
     } else if (event == LaneEvent::hit) {
-      const double rest = distance_to_surface(object, {state.position, state.direction}, length);
+      const double rest =
+          distance_to_surface(space_, object, {state.position, state.direction}, length);
       state.position += state.direction * rest;
       arrival.length = length + rest;
       Encounter seen{0.0, Encounter::Kind::surface, object, 0};
@@ -170,11 +172,14 @@ class LaneDriver {
       take_again(lane);
   }
 
-  /// In finer steps, until two in a row end alike; where they don't, by the scalar engine.
+  /// In finer steps, until it drifts no more, or two in a row end alike; else by the scalar engine.
+  /// Near a mass, two paths in floats may end alike because both begin beside their place: that
+  /// counts only where the drift comes from what pulls through portals.
   [[gnu::noinline]] void take_again(int lane) {
     Arrival& arrival = arrivals_[photon_[lane]];
     const int strictness = states_.strictness(lane);
-    if (strictness > 0 && end_alike(coarser_[lane], arrival, space_.physics.tolerance)) {
+    if (strictness > 0 && looks_through(plan_.scene) &&
+        end_alike(coarser_[lane], arrival, space_.physics.tolerance)) {
       finish(lane);
     } else if (strictness < max_lane_strictness) {
       coarser_[lane] = arrival;
@@ -241,19 +246,6 @@ class LaneDriver {
     refill(lane);
   }
 
-  /// How far a hit that was found in float is from its surface in double, along its path; 0 if that
-  /// is more than a float's rounding explains.
-  [[nodiscard]] double distance_to_surface(std::uint32_t object, const Ray& ray,
-                                           double length) const {
-    const double reach = 1e-3 * (1e-3 * space_.extent + length);
-    double distance = 2.0 * reach;
-    if (const auto* quad = std::get_if<Quad>(&shapes_[object]))
-      distance = quad->distance_of_plane(ray);
-    else if (const auto contact = space_.surfaces.contact_near(object, 0, ray, reach))
-      distance = contact->distance;
-    return std::fabs(distance) <= reach ? distance : 0.0;
-  }
-
   /// What is met where the path comes to that surface: it, or what lies in its plane.
   [[nodiscard, gnu::noinline]] Encounter seen_at(std::uint32_t object, const State& state) const {
     const Ray ray{state.position, state.direction};
@@ -270,10 +262,6 @@ class LaneDriver {
       there.state.position = way.state.position - way.state.direction * (height / slope);
     scalar_.resume(there);
     return scalar_.encounter(obstacles_.at_portal(index, side_met(portal, way.state), 0.0));
-  }
-
-  [[nodiscard]] static PortalSide side_met(const Portal& portal, const State& state) {
-    return dot(state.direction, portal.frame.normal) < 0.0 ? PortalSide::front : PortalSide::back;
   }
 
   /// The portal that is met where the path comes to that one: it, or another in its plane.
@@ -335,8 +323,7 @@ class LaneDriver {
   std::span<Arrival> arrivals_;
   std::span<PathRecord> records_;  ///< of the first photons
   LaneLog log_;                    ///< of what is not in the path records yet
-  std::span<const Shape> shapes_;
-  std::optional<Vec3d> begun_;  ///< the last place from which a photon could begin
+  std::optional<Vec3d> begun_;     ///< the last place from which a photon could begin
   LaneStates states_;
   Lanes& lanes_;
   std::array<std::size_t, lane_count> photon_{};

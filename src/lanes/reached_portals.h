@@ -27,4 +27,9 @@ namespace portalens {
   return place;
 }
 
+/// From which side light in that state meets a portal.
+[[nodiscard]] inline PortalSide side_met(const Portal& portal, const State& state) {
+  return dot(state.direction, portal.frame.normal) < 0.0 ? PortalSide::front : PortalSide::back;
+}
+
 }  // namespace portalens
