@@ -55,8 +55,8 @@ inline constexpr double absorbed_drift = 0.1;
   if (finer.fate != coarser.fate || finer.met != coarser.met || finer.object != coarser.object ||
       finer.crossings != coarser.crossings || !(finer.steps > more_steps * coarser.steps))
     return false;
-  return finer.fate == Fate::absorbed ||
-         length(finer.direction - coarser.direction) <= share * tolerance;
+  const bool tells_direction = finer.fate == Fate::hit || finer.fate == Fate::escaped;
+  return !tells_direction || length(finer.direction - coarser.direction) <= share * tolerance;
 }
 
 }  // namespace portalens
