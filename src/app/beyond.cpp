@@ -41,9 +41,9 @@ std::optional<CameraPlace> beyond(const World& world, const Trace& trace) {
   return place;
 }
 
-std::string as_toml(const CameraPlace& place) {
-  return fmt::format("position = {}, look_at = {}, up = {}", list_of(place.position),
-                     list_of(place.look_at), list_of(place.up));
+std::string as_toml(const CameraPlace& place, std::string_view blanks) {
+  return fmt::format("{0}position = {1}\n{0}look_at = {2}\n{0}up = {3}\n", blanks,
+                     list_of(place.position), list_of(place.look_at), list_of(place.up));
 }
 
 Json to_json(const CameraPlace& place) {

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "app/json.h"
 #include "render/trace.h"
@@ -27,8 +28,8 @@ struct CameraPlace {
 /// is the camera's, else of one that looks along its start. Nothing if there are none.
 [[nodiscard]] std::optional<CameraPlace> beyond(const World& world, const Trace& trace);
 
-/// `position = [...], look_at = [...], up = [...]`, as a scene file takes it.
-[[nodiscard]] std::string as_toml(const CameraPlace& place);
+/// Three lines for `[camera]`, each behind some blanks.
+[[nodiscard]] std::string as_toml(const CameraPlace& place, std::string_view blanks);
 [[nodiscard]] Json to_json(const CameraPlace& place);
 
 }  // namespace portalens

@@ -24,6 +24,7 @@ Examples:
   portalens trace scene.toml --ray 0 1 5  0 0 -1 --json
   portalens field scene.toml --plane xz -o field.png
   portalens draw scene.toml --pixel 120 80 --view top
+  portalens help render                 all that a command takes
 
 Exit codes: 0 done; 1 the work failed (disk, memory); 2 the scene or the command
 line has a fault; 130, 143 ended by INT, TERM: --resume goes on with a render.)";
@@ -36,11 +37,16 @@ void spell_out_negative_fractions(std::vector<std::string>& arguments) {
       word.insert(1, "0");
 }
 
-/// `help` asks for the same as `--help`, `help render` as `render --help`.
-void spell_out_help(std::vector<std::string>& arguments) {
+/// `help` asks for the same as `--help`, `help render` as `render --help`; a word that is no
+/// command stays alone, to be told.
+void spell_out_help(const CLI::App& program, std::vector<std::string>& arguments) {
   if (arguments.empty() || arguments.front() != "help") return;
   arguments.erase(arguments.begin());
-  arguments.emplace_back("--help");
+  const auto commands = program.get_subcommands([](const CLI::App*) { return true; });
+  if (arguments.empty() || std::any_of(commands.begin(), commands.end(), [&](const CLI::App* one) {
+        return one->get_name() == arguments.front();
+      }))
+    arguments.emplace_back("--help");
 }
 
 /// The text in rows of no more characters than that, unless a word is longer.
@@ -116,7 +122,7 @@ int run_command_line(std::vector<std::string> arguments) {
   add_draw_command(program, chosen);
 
   spell_out_negative_fractions(arguments);
-  spell_out_help(arguments);
+  spell_out_help(program, arguments);
   std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them
   try {
     program.parse(std::move(arguments));

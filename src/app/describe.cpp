@@ -167,9 +167,11 @@ std::string portal_text(const World& world, const Portal& portal) {
   if (portal.two_sided) text += ", and back to back";
   if (portal.back_material)
     text += ", back " + world.appearance.materials[*portal.back_material].name;
-  if (const auto camera = beyond(portal, place_of(world.camera)))
-    text += "\n    a camera that went through: " + as_toml(*camera);
-  return text + '\n';
+  text += '\n';
+  const double before = dot(world.camera.position - portal.frame.origin, portal.frame.normal);
+  if (const auto camera = beyond(portal, place_of(world.camera)); camera && before >= 0.0)
+    text += "    a camera that goes through stands at\n" + as_toml(*camera, "      ");
+  return text;
 }
 
 Rgb power_of(const Light& light) {

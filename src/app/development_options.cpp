@@ -13,8 +13,7 @@
 namespace portalens {
 namespace {
 
-constexpr const char* exposure_meaning =
-    "Of a picture to look at (not .exr), the light times 2^STOPS";
+constexpr const char* exposure_meaning = "The light times 2^STOPS";
 constexpr const char* tone_meaning =
     "How it fits bright light in: linear (it burns out at 1), filmic, agx-like (bright colours go "
     "towards white)";
@@ -53,7 +52,7 @@ void add_development_overrides(CLI::App& command,
     command
         .add_option_function<std::string>(
             option, [set, key](const std::string& value) { set(key, value); },
-            fmt::format("{} ({})", meaning, key))
+            fmt::format("{} ({}); an .exr keeps the light as it is", meaning, key))
         ->type_name(type);
   };
   add("--exposure", "film.exposure", "STOPS", exposure_meaning);

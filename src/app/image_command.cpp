@@ -59,7 +59,8 @@ std::vector<const Channel*> channels_named(const ChannelPicture& picture, const 
   std::string known;
   for (const Channel& channel : picture.channels)
     known += (known.empty() ? "" : ", ") + channel.name;
-  refuse("--layer " + name + ": the picture has no such layer", "its channels are " + known);
+  refuse("--layer " + name + ": the picture has no such layer",
+         "its channels are " + known + "; layers are in an .exr that render --layers wrote");
 }
 
 /// From the least to the largest number that is there.
@@ -113,6 +114,9 @@ Image read_color(const std::filesystem::path& file) {
 int develop(const ImageArguments& arguments) {
   check_writable(arguments.output);
   const Image image = developed(read_color(arguments.file), arguments.development);
+  if (keeps_light(arguments.output))
+    std::cerr << "note: " << arguments.output.string()
+              << " gets the colours alone: no layers, and nothing of the header\n";
   write_image(arguments.output, image.width, image.height, color_channels(image), {});
   return exit_done;
 }

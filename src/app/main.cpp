@@ -1,5 +1,6 @@
 /// \file
 /// The command line of portalens: finds the subcommand, runs it, and tells what went wrong.
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -21,6 +22,7 @@ int report(const char* kind, const std::string& problem, portalens::ExitCode cod
 
 int main(int argc, char** argv) {
   using namespace portalens;
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may grow no more is a failed write, and told
   try {
     const int code = run_command_line(std::vector<std::string>(argv + 1, argv + argc));
     std::cout.flush();

@@ -22,6 +22,20 @@ std::string length_and_turning(double length, double turning) {
                      turning * 180.0 / std::numbers::pi);
 }
 
+/// What a lost photon ran out of; empty if it is not lost.
+std::string why_lost(const World& world, const Arrival& end) {
+  const Physics& physics = world.space.physics;
+  if (end.fate != Fate::lost) return "";
+  if (end.out_of_crossings)
+    return fmt::format("it had crossed shading.max_crossings = {} portals",
+                       world.space.max_crossings);
+  if (end.steps >= physics.max_steps)
+    return fmt::format("it took physics.max_steps = {} steps", physics.max_steps);
+  if (end.length > physics.max_length)
+    return fmt::format("it went further than physics.max_length = {:g}", physics.max_length);
+  return "it came where a pull has no bound";
+}
+
 Json name_or_null(const std::string& name) { return name.empty() ? Json() : Json(name); }
 
 std::string light_text(Rgb light) {
@@ -67,6 +81,7 @@ Json trace_json(const World& world, const Trace& trace, int max_bounces, PathOut
                {"turning", end.turning},
                {"crossings", crossings},
                {"steps", end.steps}};
+  if (end.fate == Fate::lost) json["because"] = why_lost(world, end);
   if (const auto camera = beyond(world, trace)) json["camera_beyond"] = to_json(*camera);
   if (max_bounces > 0 || trace.view) json["bounces"] = bounces_json(world, trace);
   if (trace.view) {
@@ -110,9 +125,10 @@ std::string trace_text(const World& world, const Trace& trace, PathOutput path) 
     if (trace.view->first_hit.order > 0)
       text += fmt::format("; image of order {}", trace.view->first_hit.order);
   }
+  if (end.fate == Fate::lost) text += "; lost because " + why_lost(world, end);
   text += '\n';
   if (const auto camera = beyond(world, trace))
-    text += "a camera that went through: " + as_toml(*camera) + '\n';
+    text += "a camera that goes through stands at\n" + as_toml(*camera, "  ");
   if (path == PathOutput::included)
     for (std::size_t i = 0; i < trace.path_trace.stretches.size(); ++i) {
       text += fmt::format("  stretch {}\n", i);

@@ -12,6 +12,7 @@
 #include <exception>
 #include <memory>
 #include <new>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -129,10 +130,18 @@ ChannelPicture all_channels_of(OIIO::ImageInput& input) {
       throw Refusal{"has " + std::to_string(spec.nchannels) + " channels", "use a smaller one"};
   ChannelPicture picture{display.width, display.height, {}};
   const auto pixels = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
-  for (int c = 0; c < spec.nchannels; ++c) {
-    Channel& channel = picture.channels.emplace_back(
-        Channel{spec.channelnames[static_cast<std::size_t>(c)], std::vector<float>(pixels)});
-    read_planes(input, c, c + 1, channel.values.data());
+  // Readers of PNG and JPEG go through a file once: channel by channel only EXR can be read.
+  const auto count = static_cast<std::size_t>(spec.nchannels);
+  const bool at_once = std::string_view(input.format_name()) != "openexr";
+  std::vector<float> all(at_once ? pixels * count : 0);
+  if (at_once) read_planes(input, 0, spec.nchannels, all.data());
+  for (std::size_t c = 0; c < count; ++c) {
+    Channel& channel =
+        picture.channels.emplace_back(Channel{spec.channelnames[c], std::vector<float>(pixels)});
+    if (at_once)
+      for (std::size_t i = 0; i < pixels; ++i) channel.values[i] = all[i * count + c];
+    else
+      read_planes(input, static_cast<int>(c), static_cast<int>(c) + 1, channel.values.data());
     channel.values = shown(std::move(channel.values), 1, data, display);
   }
   return picture;

@@ -29,6 +29,21 @@ std::optional<Target> target_in(const std::string& path) {
   return target;
 }
 
+/// Numbers as shells print them: TOML wants a digit before the point. Within quotes all stays.
+std::string with_leading_zeros(const std::string& value) {
+  if (value.find_first_of("\"'") != std::string::npos) return value;
+  std::string spelled;
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    const bool begins =
+        i == 0 || std::string_view("[, +-=").find(value[i - 1]) != std::string::npos;
+    const bool point =
+        value[i] == '.' && i + 1 < value.size() && value[i + 1] >= '0' && value[i + 1] <= '9';
+    if (begins && point) spelled += '0';
+    spelled += value[i];
+  }
+  return spelled;
+}
+
 std::vector<Table*> tables_of(Scene& scene) {
   std::vector<Table*> tables;
   for (auto* list : {&scene.materials, &scene.lights, &scene.objects})
@@ -98,7 +113,7 @@ void override_value(Scene& scene, const std::string& assignment, Faults& faults)
     if (!target->name) refuse_section(scene, *target, faults);
     return;
   }
-  auto value = read_toml_value(assignment.substr(equals + 1));
+  auto value = read_toml_value(with_leading_zeros(assignment.substr(equals + 1)));
   if (!value) {
     faults.add({}, in_quotes(assignment.substr(equals + 1)) + " is no value",
                "give a number, true or false, a word, a \"string\" or a [list]");

@@ -29,7 +29,7 @@ std::optional<fs::path> resolve_file(const fs::path& scene_file, const std::stri
     return std::nullopt;
   };
   const std::string stay_inside =
-      "name a file beside the scene, or allow files from anywhere on the command line";
+      "name a file in that folder, or allow files from anywhere by --allow-outside-files";
   if (name.empty()) return refuse("a file's name is empty", "name a file beside the scene");
   if (name.find('\0') != std::string::npos) {
     return refuse("a file's name contains a zero", "name a file beside the scene");
@@ -40,17 +40,20 @@ std::optional<fs::path> resolve_file(const fs::path& scene_file, const std::stri
   const fs::path wanted = (folder / name).lexically_normal();
   // Asked before the disk is: what lies outside must not even be probed.
   if (containment == Containment::scene_folder && !lies_in(wanted, folder)) {
-    return refuse("the path " + in_quotes(name) + " leaves the scene's folder", stay_inside);
+    return refuse("the path " + in_quotes(name) + " leaves the folder of the file that names it",
+                  stay_inside);
   }
   const fs::path file = fs::canonical(folder / name, error);
   if (error == std::errc::no_such_file_or_directory || error == std::errc::not_a_directory) {
-    return refuse("there is no file " + in_quotes(name), "a path is relative to the scene file");
+    return refuse("there is no file " + in_quotes(name),
+                  "a path is relative to the file that names it");
   }
   if (error)
     return refuse("can't find " + in_quotes(name) + ": " + error.message(), "check its path");
   if (containment == Containment::scene_folder && !lies_in(file, folder)) {
-    return refuse("the path " + in_quotes(name) + " leaves the scene's folder by a link",
-                  stay_inside);
+    return refuse(
+        "the path " + in_quotes(name) + " leaves the folder of the file that names it by a link",
+        stay_inside);
   }
   if (!fs::is_regular_file(file, error)) {
     return refuse(in_quotes(name) + " is not a regular file",

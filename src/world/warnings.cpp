@@ -55,9 +55,11 @@ void about_materials(const World& world, Warnings& warnings) {
     const double most = max_component(
         std::visit([](const auto& bsdf) { return bsdf.max_reflected(); }, material.bsdf()));
     if (most > 1.0)
-      warnings.push_back(fmt::format(
-          "material {} gives back more light than it gets: diffuse + reflective reaches {:.4g}",
-          in_quotes(material.name), most));
+      warnings.push_back(
+          fmt::format("material {} gives back more light than it gets: diffuse + reflective "
+                      "reaches {:.4g}; lower "
+                      "one of them (a metal has a diffuse of 0)",
+                      in_quotes(material.name), most));
   }
 }
 

@@ -84,6 +84,20 @@ TEST(Develop, WritesAPictureAsAnotherKind) {
   EXPECT_EQ(folder.read("a.jpg").substr(0, 2), "\xff\xd8");
 }
 
+TEST(ShowLayer, OfAPictureWithoutLayersTellsItsChannels) {
+  const SceneFolder folder;
+  write_ramp(folder, "a.exr", 0.0f, 1.0f / 256.0f);
+  ASSERT_EQ(run_portalens(folder.path(), {"image", "a.exr", "-o", "a.png"}).code, 0);
+  const Outcome outcome =
+      run_portalens(folder.path(), {"image", "a.png", "--layer", "depth", "-o", "b.png"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.errors.find("its channels are R, G, B; layers are in an .exr"),
+            std::string::npos)
+      << outcome.errors;
+  EXPECT_EQ(run_portalens(folder.path(), {"image", "a.png", "--layer", "G", "-o", "b.png"}).code,
+            0);
+}
+
 TEST(Develop, ChangesExposureToneAndWhite) {
   const SceneFolder folder;
   write_ramp(folder, "a.exr", 0.0f, 1.0f / 256.0f);

@@ -24,6 +24,9 @@ TEST(Program, TeachesWhatItDoes) {
   for (const char* command : {"render", "check", "trace"})
     EXPECT_EQ(run_portalens(folder.path(), {command, "--help"}).code, 0);
   EXPECT_EQ(run_portalens(folder.path(), {"help"}).output, help.output);
+  const Outcome mistyped = run_portalens(folder.path(), {"help", "rendr"});
+  EXPECT_EQ(mistyped.code, 2);
+  EXPECT_NE(mistyped.errors.find("did you mean render?"), std::string::npos) << mistyped.errors;
   EXPECT_EQ(run_portalens(folder.path(), {"help", "trace"}).output,
             run_portalens(folder.path(), {"trace", "--help"}).output);
   const Outcome version = run_portalens(folder.path(), {"--version"});

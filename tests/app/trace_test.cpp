@@ -216,10 +216,9 @@ TEST(Trace, TellsWhereACameraStandsThatWentThrough) {
   const SceneFolder folder;
   folder.write("scene.toml", scene);
   const std::string text = run_portalens(folder.path(), {"check", "scene.toml"}).output;
-  EXPECT_NE(
-      text.find("a camera that went through: position = [20, 20, 12], look_at = [20, 20, 13], "
-                "up = [0, 1, 0]"),
-      std::string::npos)
+  EXPECT_NE(text.find("    a camera that goes through stands at\n      position = [20, 20, 12]\n"
+                      "      look_at = [20, 20, 13]\n      up = [0, 1, 0]\n"),
+            std::string::npos)
       << text;
 }
 

@@ -156,6 +156,11 @@ TEST(Override, SetsValuesOfWhatHasAName) {
   override_value(scene, "portal.blue.tint=[0.5, 1.0, 1.0]", faults);
   override_value(scene, "light.light0.intensity=5.5", faults);
   EXPECT_NO_THROW(faults.raise());
+  override_value(scene, "camera.look_at=[.5,-.25, +.125]", faults);  // as bc prints them
+  override_value(scene, "camera.fov=.5", faults);
+  EXPECT_NO_THROW(faults.raise());
+  EXPECT_EQ(numbers_of(*scene.camera.find("look_at")), (Numbers{0.5, -0.25, 0.125}));
+  EXPECT_EQ(number_of(scene.camera, "fov"), 0.5);
   EXPECT_EQ(numbers_of(*scene.materials[0].find("diffuse")), (Numbers{1, 0, 0}));
   EXPECT_EQ(number_of(scene.objects[0], "radius"), 2.5);
   EXPECT_EQ(number_of(scene.objects[1], "radius"), 3.5);
