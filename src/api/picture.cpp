@@ -18,7 +18,7 @@ void write_picture(const std::filesystem::path& file, const Picture& picture,
     if (pixels == 0 || picture.rgb.size() != 3 * pixels)
       throw asked("the picture for " + file.string() + " is not of the size it says",
                   "width and height of at least 1 are needed, and three numbers a pixel");
-    if (!picture.layers.empty() && file.extension() != ".exr")
+    if (!picture.layers.empty() && !keeps_light(file))
       throw asked(file.string() + " can't hold layers", "name an .exr file");
     const std::span<const float> colors(picture.rgb);
     std::vector<ChannelView> channels;

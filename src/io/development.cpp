@@ -58,8 +58,8 @@ double filmic(double x) {
   return std::min(1.0, x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14));
 }
 
-/// From 0 to 1 as x goes from 0 to 1, through (pivot, grey) with that slope; like a power curve of
-/// power 1 / `bend` towards both ends.
+/// From 0 to 1 as x goes from 0 to 1, through (pivot, grey) with that slope; the larger `bend`, the
+/// later it leaves the straight line towards either end.
 double sigmoid(double x) {
   constexpr double pivot = 10.0 / 16.5, grey = 0.4587, slope = 2.4, bend = 1.5;  // .18^(1 / 2.2)
   const double side = x < pivot ? -1.0 : 1.0;

@@ -1,6 +1,6 @@
 /// \file
 /// From the light of a scene to the values of a picture that is looked at: exposure, white balance
-/// and a tone curve. docs/scene-files.md, "Pictures out".
+/// and a tone curve. docs/scene-files.md, "Pictures to look at".
 #pragma once
 
 #include <array>

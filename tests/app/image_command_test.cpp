@@ -7,6 +7,7 @@
 
 #include "app/false_color.h"
 #include "io/image.h"
+#include "support/pictures.h"
 #include "support/run_program.h"
 
 namespace portalens {
@@ -61,13 +62,6 @@ TEST(Compare, ExitsWith1AboveTheThreshold) {
       run_portalens(folder.path(), {"image", "--compare", "a.exr", "a.exr", "--threshold", "0"})
           .code,
       0);
-}
-
-Image picture_in(const SceneFolder& folder, const std::string& name) {
-  Faults faults;
-  auto image = read_image(folder.path() / name, Location{}, faults);
-  EXPECT_TRUE(image) << name;
-  return image.value_or(Image{});
 }
 
 TEST(Develop, WritesAPictureAsAnotherKind) {

@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "io/image.h"
+#include "support/pictures.h"
 #include "support/run_program.h"
 #include "support/tiny_scene.h"
 
@@ -15,13 +15,6 @@ namespace portalens {
 namespace {
 
 using nlohmann::json;
-
-Image picture_in(const SceneFolder& folder, const std::string& name) {
-  Faults faults;
-  auto image = read_image(folder.path() / name, Location{}, faults);
-  EXPECT_TRUE(image) << name;
-  return image.value_or(Image{});
-}
 
 TEST(Render, WritesThePictureBesideTheUserAndSaysWhere) {
   const SceneFolder folder;
