@@ -327,8 +327,8 @@ class LaneDriver {
   LaneStates states_;
   Lanes& lanes_;
   std::array<std::size_t, lane_count> photon_{};
-  std::array<Arrival, lane_count>
-      coarser_{};  ///< of a path that was taken again, how it ended before
+  /// How those that are taken again ended before.
+  std::array<Arrival, lane_count> coarser_{};
   std::size_t next_ = 0;
   int in_flight_ = 0;
 };
