@@ -185,19 +185,68 @@ struct NewcomerLight {
         variant="Coupling",
         newcomer="NewcomerCoupling",
         body="""
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string_view>
+#include <vector>
 #include "gravity/coupling_input.h"
 namespace portalens {
 struct NewcomerCoupling {
   static constexpr std::string_view name = "newcomer_coupling";
   static constexpr bool asks_motion = false;
-  explicit NewcomerCoupling(const CouplingInput&) {}
-  static CouplingCost cost(const CouplingInput&) { return {}; }
-  Pull pull(Vec3d, Vec3d) const { return {}; }
-  std::uint64_t signature(Vec3d) const { return 0; }
-  std::vector<PullPart> parts(Vec3d) const { return {}; }
-  double distance_to_support(Vec3d) const { return std::numeric_limits<double>::infinity(); }
+  std::vector<Vec3d> centers;
+  double gm = 0.0, reach = 0.0;
+  explicit NewcomerCoupling(const CouplingInput& input) {
+    if (input.depth == 0) return;
+    for (const Mass& mass : input.masses) gm += mass.gm;
+    for (const Portal& portal : input.portals) centers.push_back(portal.frame.origin);
+    reach = influence_radius(gm, input.min_force);
+  }
+  static CouplingCost cost(const CouplingInput& input) {
+    return {static_cast<double>(input.portals.size()), 0.0};
+  }
+  bool acts(std::size_t i, Vec3d x) const { return length(centers[i] - x) < reach; }
+  Pull pull(Vec3d x, Vec3d anchor) const {
+    Pull total;
+    for (std::size_t i = 0; i < centers.size(); ++i) {
+      const double d = length(centers[i] - x);
+      if (!acts(i, anchor) || d == 0.0) continue;
+      total.acceleration += (centers[i] - x) * (gm / (d * d * d));
+      total.stiffness += gm / std::pow(d, 5.0);
+      total.nearness += 1.0 / std::pow(d, 4.0);
+      total.gradient += 2.0 * gm / (d * d * d);
+      total.potential += gm / d;
+    }
+    return total;
+  }
+  std::uint64_t signature(Vec3d x) const {
+    std::uint64_t bits = 0;
+    for (std::size_t i = 0; i < centers.size(); ++i)
+      if (acts(i, x)) bits |= std::uint64_t{1} << i % 64;
+    return bits;
+  }
+  std::vector<PullPart> parts(Vec3d x) const {
+    std::vector<PullPart> found;
+    for (std::size_t i = 0; i < centers.size(); ++i) {
+      const double d = length(centers[i] - x);
+      if (!acts(i, x) || d == 0.0) continue;
+      PullPart part;
+      part.portals = {static_cast<std::uint32_t>(i)};
+      part.acceleration = (centers[i] - x) * (gm / (d * d * d));
+      part.entrance = part.beyond = centers[i];
+      part.places = {centers[i]};
+      part.distance = d;
+      found.push_back(part);
+    }
+    return found;
+  }
+  double distance_to_support(Vec3d x) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Vec3d& center : centers)
+      least = std::min(least, std::max(0.0, length(center - x) - reach));
+    return least;
+  }
 };
 }
 """,

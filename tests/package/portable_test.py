@@ -12,8 +12,8 @@ import sys
 import tempfile
 import unittest
 
-PORTABLE = sys.argv[1]
-OTHER = sys.argv[2] if len(sys.argv) > 2 else None
+PORTABLE = pathlib.Path(sys.argv[1]).resolve()  # they are run in other folders
+OTHER = pathlib.Path(sys.argv[2]).resolve() if len(sys.argv) > 2 else None
 SCENE = """
 film = { width = 48, height = 32 }
 environment = { color = [0.2, 0.3, 0.5] }
