@@ -18,9 +18,9 @@ find_package(PkgConfig REQUIRED)
 pkg_check_modules(xsimd REQUIRED IMPORTED_TARGET xsimd)  # its CMake files want xtl
 find_package(CLI11 2.1 REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)
+find_package(ZLIB REQUIRED)
 if(PORTALENS_TESTS)
   find_package(GTest REQUIRED)
-  find_package(ZLIB REQUIRED)  # what our checksums are held against
   find_package(tinyobjloader REQUIRED)  # what our reader of meshes is held against
 endif()
 

@@ -3,7 +3,7 @@
 
     fuzz/fuzz.py [--seconds N] [--runs N] [--hang S] [--keep | --minimise] [TARGET...]
 
-TARGET is toml, obj, mesh, image, scene, checkpoint: by default all. A target ends after so many
+TARGET is toml, obj, mesh, image, scene, checkpoint, recipe: by default all. A target ends after so many
 seconds or executions, whichever comes first; a crash, a leak, more than 1 GiB or an input that takes
 longer than --hang seconds ends it at once, and leaves the input in build/fuzz/findings. What it
 discovers is gathered in build/fuzz/corpus; --keep distills that into fuzz/corpus, for `make test` to
@@ -22,7 +22,7 @@ import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 BUILD = HERE.parent / "build" / "fuzz"
-LEAST_EDGES = {"toml": 1500, "obj": 1000, "mesh": 1000, "image": 500, "scene": 6000, "checkpoint": 3000}
+LEAST_EDGES = {"toml": 1500, "obj": 1000, "mesh": 1000, "image": 500, "scene": 6000, "checkpoint": 3000, "recipe": 500}
 LONGEST_INPUT = {"toml": 4096, "obj": 4096, "mesh": 4096, "scene": 4096, "image": 2048}
 KEPT_BYTES = 2048  # a longer input is not kept in the repository
 LENT = {"scene": "toml"}  # whose seeds and corpus a target is given, too; as in CMakeLists.txt

@@ -1,6 +1,7 @@
 // Pictures: any bytes as an EXR, PNG, HDR or JPEG, read as a texture and with all its channels.
 #include <string>
 
+#include "io/exr_texts.h"
 #include "io/image.h"
 #include "laws.h"
 #include "support/scene_folder.h"
@@ -17,6 +18,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       fuzz::require(channel.values.size() == static_cast<std::size_t>(picture->width) *
                                                  static_cast<std::size_t>(picture->height),
                     "a channel has as many pixels as its picture");
+  try {
+    for (const auto& [name, text] : read_exr_texts(file))
+      fuzz::require(name.find('\0') == std::string::npos, "a name ends at its first zero");
+  } catch (const SceneError& error) {
+    fuzz::check_faults(error.faults());
+  }
   try {
     faults.raise();
   } catch (const SceneError& error) {

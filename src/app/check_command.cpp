@@ -21,12 +21,12 @@ void add_check_command(CLI::App& program, Command& chosen) {
   command.add_flag("--json", arguments->json, "Print one JSON object");
   command.callback([arguments, &chosen] {
     chosen = [arguments] {
-      const Scene scene = read_with_settings(arguments->scene);
-      const World world = compile_with_options(scene, arguments->scene);
+      const AskedScene asked = read_with_settings(arguments->scene);
+      const World world = compile_with_options(asked, arguments->scene);
       if (arguments->json)
-        std::cout << json_line(describe_json(scene, world)) << '\n';
+        std::cout << json_line(describe_json(asked.scene, world)) << '\n';
       else
-        std::cout << describe_text(scene, world);
+        std::cout << describe_text(asked.scene, world);
       return static_cast<int>(exit_done);
     };
   });

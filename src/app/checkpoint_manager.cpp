@@ -84,6 +84,7 @@ class CheckpointManager {
 
   /// Writes the checkpoint and the partial picture, and says so.
   void show(const char* state) {
+    if (!is_kept(keeping_.picture)) return show_share(state);
     const fs::path picture = unfinished(keeping_.picture);
     // The disk takes the one while the other is packed.
     auto written = std::async([&] { keeping_.write_picture(picture, result_of(exposure_)); });
@@ -97,6 +98,11 @@ class CheckpointManager {
   }
 
  private:
+  void show_share(const char* state) const {
+    if (keeping_.quiet) return;
+    std::cerr << fmt::format("{}: {} is done; of a picture for standard output nothing is kept\n",
+                             state, percent_text(exposure_.share_done()));
+  }
   [[nodiscard]] double since_checkpoint() const {
     return std::chrono::duration<double>(Clock::now() - last_).count();
   }
@@ -134,6 +140,8 @@ class CheckpointManager {
 
 }  // namespace
 
+bool is_kept(const fs::path& picture) { return picture != standard_stream; }
+
 fs::path checkpoint_of(const fs::path& picture) {
   fs::path name = picture;
   name += ".checkpoint";
@@ -166,11 +174,13 @@ std::unique_ptr<Exposure> begun_exposure(const fs::path& checkpoint, Found found
 }
 
 void keep(const Keeping& keeping, const Provenance& provenance, const Exposure& exposure) {
+  if (!is_kept(keeping.picture)) return;
   replace_file(checkpoint_of(keeping.picture), encoded_partial(provenance, exposure));
 }
 
 void keep_if_possible(const Keeping& keeping, const Provenance& provenance,
                       const Exposure& exposure) noexcept {
+  if (!is_kept(keeping.picture)) return;
   try {
     keep(keeping, provenance, exposure);
     std::cerr << fmt::format("note: {} keeps the work; --resume goes on with it\n",

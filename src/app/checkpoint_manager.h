@@ -14,6 +14,9 @@
 
 namespace portalens {
 
+/// Whether a picture can have a checkpoint beside it: not one for standard output.
+[[nodiscard]] bool is_kept(const std::filesystem::path& picture);
+
 /// Where the checkpoint of a picture lies: beside it.
 [[nodiscard]] std::filesystem::path checkpoint_of(const std::filesystem::path& picture);
 
@@ -50,7 +53,7 @@ struct Keeping {
                                           const Provenance& provenance, const Keeping& keeping,
                                           Signals& signals, Progress* progress);
 
-/// Writes the checkpoint of what stands.
+/// Writes the checkpoint of what stands, if the picture is kept.
 /// @throws WorkError
 void keep(const Keeping& keeping, const Provenance& provenance, const Exposure& exposure);
 

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/words.h"
@@ -26,6 +28,15 @@ template <class Choice>
     return "unknown " + in_quotes(word) + "; " + suggestion_or_list(word, known);
   };
   return CLI::Validator(choose, "");
+}
+
+/// For `check`: takes one of the words; of another it tells them.
+[[nodiscard]] inline CLI::Validator known_word(std::vector<std::string> words) {
+  const auto judge = [words = std::move(words)](const std::string& word) -> std::string {
+    if (std::find(words.begin(), words.end(), word) != words.end()) return {};
+    return "unknown " + in_quotes(word) + "; " + suggestion_or_list(word, words);
+  };
+  return CLI::Validator(judge, "");
 }
 
 }  // namespace portalens

@@ -7,8 +7,8 @@
 #include <memory>
 
 #include "app/command.h"
+#include "app/command_line_fault.h"
 #include "core/error.h"
-#include "core/words.h"
 #include "portalens/version.h"
 
 namespace portalens {
@@ -49,6 +49,17 @@ void spell_out_help(const CLI::App& program, std::vector<std::string>& arguments
     arguments.emplace_back("--help");
 }
 
+/// Who takes the scene from a picture names none. It is asked of CLI11 beforehand, since a word
+/// that is required ends the list of an option's values before it.
+void ask_for_no_scene(CLI::App& program, const std::vector<std::string>& arguments) {
+  const bool from = std::any_of(arguments.begin(), arguments.end(), [](const std::string& word) {
+    return word == "--from" || word.starts_with("--from=");
+  });
+  if (!from) return;
+  for (CLI::App* command : program.get_subcommands([](CLI::App*) { return true; }))
+    if (CLI::Option* scene = command->get_option_no_throw("scene")) scene->required(false);
+}
+
 /// The text in rows of no more characters than that, unless a word is longer.
 std::string in_rows(const std::string& text, std::size_t most) {
   std::string rows;
@@ -72,37 +83,6 @@ class NarrowHelp : public CLI::Formatter {
   }
 };
 
-/// What is wrong with the command line, and what would be right.
-Fault fault_of(const CLI::App& program, const CLI::ParseError& error) {
-  const std::vector<CLI::App*> named = program.get_subcommands();
-  if (named.empty()) {
-    std::vector<std::string> known;
-    for (const CLI::App* command : program.get_subcommands({}))
-      known.push_back(command->get_name());
-    const std::vector<std::string> rest = program.remaining();
-    if (rest.empty()) return {{}, "a command is missing", "known are " + listed(known)};
-    const bool option = rest.front().starts_with('-');
-    return {{},
-            (option ? "unknown option " : "unknown command ") + in_quotes(rest.front()),
-            option ? "try portalens --help" : suggestion_or_list(rest.front(), known)};
-  }
-  const CLI::App& command = *named.front();
-  const std::string help = "try portalens " + command.get_name() + " --help";
-  std::vector<std::string> rest = command.remaining();
-  if (rest.empty()) rest = program.remaining();
-  if (rest.empty()) return {{}, error.what(), help};
-  const auto option = std::find_if(rest.begin(), rest.end(),
-                                   [](const std::string& word) { return word.starts_with('-'); });
-  if (option == rest.end()) return {{}, "nothing is known to do with " + in_quotes(rest[0]), help};
-  std::vector<std::string> known;
-  for (const CLI::Option* one : command.get_options())
-    for (const std::string& name : one->get_lnames()) known.push_back("--" + name);
-  const std::string meant = suggestion(*option, known);
-  return {{},
-          "unknown option " + in_quotes(*option),
-          meant.empty() ? help : "did you mean " + meant + '?'};
-}
-
 }  // namespace
 
 int run_command_line(std::vector<std::string> arguments) {
@@ -123,6 +103,7 @@ int run_command_line(std::vector<std::string> arguments) {
 
   spell_out_negative_fractions(arguments);
   spell_out_help(program, arguments);
+  ask_for_no_scene(program, arguments);
   std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them
   try {
     program.parse(std::move(arguments));

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "app/choices.h"
@@ -21,16 +22,22 @@ constexpr const char* white_balance_meaning =
     "The temperature of a black body that looks white, 1667 to 25000 K; below 6504 K it makes "
     "the picture bluer";
 
-/// A number as `fmt` has written it; 0 if it is none.
-double number_in(const std::string& text) {
+constexpr const char* exposure_entry = "portalens:exposure";
+constexpr const char* tone_entry = "portalens:tone";
+constexpr const char* white_balance_entry = "portalens:white_balance";
+
+/// A number as `fmt` has written it; nothing if it is none, or out of bounds.
+std::optional<double> number_in(const std::string& text, const Bounds& bounds) {
   double number = 0.0;
-  std::from_chars(text.data(), text.data() + text.size(), number);
-  return number;
+  const char* const end = text.data() + text.size();
+  const auto [stopped, error] = std::from_chars(text.data(), end, number);
+  const bool sound = error == std::errc{} && number >= bounds.low && number <= bounds.high;
+  return sound ? std::optional(number) : std::nullopt;
 }
 
 }  // namespace
 
-std::vector<CLI::Option*> add_development_options(CLI::App& command, Development& development) {
+std::array<CLI::Option*, 3> add_development_options(CLI::App& command, Development& development) {
   std::map<std::string, Tone> tones;
   for (std::size_t i = 0; i < tone_names.size(); ++i)
     tones.emplace(tone_names[i], static_cast<Tone>(i));
@@ -62,23 +69,35 @@ void add_development_overrides(CLI::App& command,
 
 Metadata development_metadata(const Development& development) {
   Metadata metadata = {
-      {"portalens:exposure", fmt::format("{}", development.exposure)},
-      {"portalens:tone", std::string(tone_names[static_cast<std::size_t>(development.tone)])}};
+      {exposure_entry, fmt::format("{}", development.exposure)},
+      {tone_entry, std::string(tone_names[static_cast<std::size_t>(development.tone)])}};
   if (development.white_balance)
-    metadata.emplace_back("portalens:white_balance", fmt::format("{}", *development.white_balance));
+    metadata.emplace_back(white_balance_entry, fmt::format("{}", *development.white_balance));
   return metadata;
 }
 
 Development development_in(const Metadata& header) {
   Development development;
   for (const auto& [key, value] : header) {
-    if (key == "portalens:exposure") development.exposure = number_in(value);
-    if (key == "portalens:white_balance") development.white_balance = number_in(value);
+    if (key == exposure_entry)
+      development.exposure = number_in(value, exposure_bounds).value_or(0.0);
+    if (key == white_balance_entry)
+      development.white_balance = number_in(value, white_balance_bounds);
     const auto* const tone = std::find(tone_names.begin(), tone_names.end(), value);
-    if (key == "portalens:tone" && tone != tone_names.end())
+    if (key == tone_entry && tone != tone_names.end())
       development.tone = static_cast<Tone>(tone - tone_names.begin());
   }
   return development;
+}
+
+Metadata without_development(Metadata header) {
+  header.erase(std::remove_if(header.begin(), header.end(),
+                              [](const auto& entry) {
+                                return entry.first == exposure_entry || entry.first == tone_entry ||
+                                       entry.first == white_balance_entry;
+                              }),
+               header.end());
+  return header;
 }
 
 }  // namespace portalens

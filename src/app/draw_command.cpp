@@ -10,6 +10,7 @@
 #include "app/choices.h"
 #include "app/command.h"
 #include "app/draw_scene.h"
+#include "app/output.h"
 #include "app/scene_options.h"
 #include "render/parallel.h"
 
@@ -94,19 +95,19 @@ std::string summary(const std::vector<DrawnPath>& paths) {
 
 int draw(const DrawArguments& arguments) {
   const StandpointChoice choice = standpoint_of(arguments);
-  const Scene scene = read_with_settings(arguments.scene);
+  const AskedScene asked = read_with_settings(arguments.scene);
   const std::filesystem::path picture =
-      arguments.output.value_or(arguments.scene.file.stem().string() + "-drawing.png");
+      arguments.output.value_or(stem_of(arguments.scene) + "-drawing.png");
   check_drawable(picture);
-  const World world = compile_with_options(scene, arguments.scene);
+  const World world = compile_with_options(asked, arguments.scene);
   const std::vector<NamedRay> rays = rays_of(world, arguments.rays, fan_axis(choice.from));
   const int threads = arguments.threads > 0 ? arguments.threads : available_threads();
   const std::vector<DrawnPath> paths = follow(world, rays, arguments.bounces, threads);
   const Drawing drawing = draw_scene(world, paths, choice, arguments.style);
   write_drawing(picture, drawing);
   if (!arguments.quiet)
-    std::cout << fmt::format("{}: {} x {}; {}\n", picture.string(), drawing.width, drawing.height,
-                             summary(paths));
+    words_beside(picture) << fmt::format("{}: {} x {}; {}\n", picture.string(), drawing.width,
+                                         drawing.height, summary(paths));
   return exit_done;
 }
 

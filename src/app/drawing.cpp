@@ -9,7 +9,7 @@
 #include "core/error.h"
 #include "io/files.h"
 #include "io/image.h"
-#include "io/srgb.h"
+#include "math/srgb.h"
 
 namespace portalens {
 namespace {
@@ -17,6 +17,7 @@ namespace {
 enum class Format { svg, png };
 
 std::optional<Format> known_format(const std::filesystem::path& file) {
+  if (file == standard_stream) return Format::png;
   std::string suffix = file.extension().string();
   for (char& letter : suffix)
     if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "io/srgb.h"
+#include "math/srgb.h"
 
 namespace portalens {
 namespace {
@@ -73,8 +73,17 @@ Rgb from_srgb(double red, double green, double blue) {
 }
 
 /// Room for the picture, and a legend to its right.
-Image canvas(const Plane& plane) {
-  return Image(plane.width + legend_width, std::max(plane.height, 6 * line_height), 3);
+Image canvas(const Plane& plane, int legend = legend_width) {
+  return Image(plane.width + legend, std::max(plane.height, 6 * line_height), 3);
+}
+
+/// How many pixels a legend with these names takes.
+int width_for(const std::vector<NumberName>& names) {
+  constexpr std::size_t longest = 32;  // of the letters of a name that are shown
+  std::size_t letters = 0;
+  for (const NumberName& entry : names) letters = std::max(letters, entry.name.size());
+  const int text = static_cast<int>(std::min(letters, longest)) * (glyph_width + 1) * dot_size;
+  return std::max(legend_width, 3 * gap + bar_width + text);
 }
 
 template <class ColorOf>
@@ -136,7 +145,7 @@ Image heat_picture(const Plane& plane, const ValueRange& range, double absent) {
 }
 
 Image number_picture(const Plane& plane, const std::vector<NumberName>& names) {
-  Image image = canvas(plane);
+  Image image = canvas(plane, width_for(names));
   paint(image, plane,
         [](double value) { return number_color(static_cast<int>(std::lround(value))); });
   int y = line_height;

@@ -43,8 +43,8 @@ FieldPlane plane_from(const FieldArguments& arguments, const Space& space) {
 
 int draw(const FieldArguments& arguments) {
   check_drawable(arguments.output);
-  const Scene scene = read_with_settings(arguments.scene);
-  const World world = compile_with_options(scene, arguments.scene);
+  const AskedScene asked = read_with_settings(arguments.scene);
+  const World world = compile_with_options(asked, arguments.scene);
   write_drawing(arguments.output,
                 draw_field(world.space, plane_from(arguments, world.space), arguments.drawing));
   return exit_done;
@@ -54,8 +54,8 @@ int tell(const FieldArguments& arguments) {
   const Vec3d x{arguments.at[0], arguments.at[1], arguments.at[2]};
   if (!is_finite(x))
     throw SceneError({{Location{}, "--at has a number that is not finite", "X Y Z are needed"}});
-  const Scene scene = read_with_settings(arguments.scene);
-  const World world = compile_with_options(scene, arguments.scene);
+  const AskedScene asked = read_with_settings(arguments.scene);
+  const World world = compile_with_options(asked, arguments.scene);
   const FieldReport report = report_field(world.space, x);
   std::cout << (arguments.json ? json_line(field_json(world.space, report)) + '\n'
                                : field_text(world.space, report));

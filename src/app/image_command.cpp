@@ -5,19 +5,27 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iostream>
 #include <limits>
 #include <memory>
 #include <optional>
-#include <set>
 
 #include "app/command.h"
 #include "app/development_options.h"
 #include "app/false_color.h"
 #include "app/json.h"
+#include "app/layer_picture.h"
+#include "app/output.h"
+#include "app/recipe.h"
+#include "app/report.h"
+#include "app/spooled_input.h"
+#include "core/words.h"
+#include "io/exr_texts.h"
+#include "io/files.h"
 #include "io/image.h"
-#include "render/layers.h"
+#include "io/image_bytes.h"
 
 namespace portalens {
 namespace {
@@ -31,11 +39,16 @@ struct ImageArguments {
   std::string measure = "max";
   bool json = false;
   Development development;
-  std::vector<CLI::Option*> developing;  ///< the options that say how
+  std::array<CLI::Option*, 3> developing{};  ///< exposure, tone and white balance
 };
 
 [[noreturn]] void refuse(const std::string& problem, const std::string& remedy) {
   throw SceneError({{Location{}, problem, remedy}});
+}
+
+bool is_exr(const std::filesystem::path& file) {
+  constexpr std::size_t enough = 16;
+  return image_format(RegularFile(file).read(0, enough)) == ImageFormat::exr;
 }
 
 ChannelPicture read_layers(const std::filesystem::path& file) {
@@ -45,65 +58,6 @@ ChannelPicture read_layers(const std::filesystem::path& file) {
   return std::move(*picture);
 }
 
-/// The channels that a name means: a layer's, or the one of that very name.
-std::vector<const Channel*> channels_named(const ChannelPicture& picture, const std::string& name) {
-  std::vector<std::string> wanted = {name};
-  const auto layer = std::find(layer_names.begin(), layer_names.end(), name);
-  if (layer != layer_names.end())
-    wanted = channel_names(static_cast<Layer>(layer - layer_names.begin()));
-  std::vector<const Channel*> found;
-  for (const std::string& channel_name : wanted)
-    for (const Channel& channel : picture.channels)
-      if (channel.name == channel_name) found.push_back(&channel);
-  if (!found.empty()) return found;
-  std::string known;
-  for (const Channel& channel : picture.channels)
-    known += (known.empty() ? "" : ", ") + channel.name;
-  refuse("--layer " + name + ": the picture has no such layer",
-         "its channels are " + known + "; layers are in an .exr that render --layers wrote");
-}
-
-/// From the least to the largest number that is there.
-ValueRange range_of(const std::vector<const Channel*>& channels, double absent) {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const Channel* channel : channels)
-    for (const double value : channel->values)
-      if (std::isfinite(value) && value < absent) {
-        low = std::min(low, value);
-        high = std::max(high, value);
-      }
-  return low <= high ? ValueRange{low, high} : ValueRange{};
-}
-
-/// Names for the legend of whole numbers: fates have theirs.
-std::vector<NumberName> number_names(const std::string& layer, const std::vector<float>& values) {
-  constexpr std::size_t most = 64;
-  std::set<int> numbers;
-  for (const float value : values)
-    if (std::isfinite(value) && numbers.size() < most)
-      numbers.insert(static_cast<int>(std::lround(std::clamp(value, -1e9f, 1e9f))));
-  std::vector<NumberName> names;
-  for (const int number : numbers) {
-    const bool fate = layer == "fate" && number >= 0 && number < fate_count;
-    names.push_back({number, fate ? std::string(fate_names[static_cast<std::size_t>(number)])
-                                  : std::to_string(number)});
-  }
-  return names;
-}
-
-Image vector_picture(const ChannelPicture& picture, const std::string& layer,
-                     const std::vector<const Channel*>& channels) {
-  const ValueRange range = layer == "normal"   ? ValueRange{-1.0, 1.0}
-                           : layer == "albedo" ? ValueRange{0.0, 1.0}
-                                               : range_of(channels, no_depth);
-  Image image(picture.width, picture.height, 3);
-  const double span = range.high > range.low ? range.high - range.low : 1.0;
-  for (std::size_t i = 0; i < channels.front()->values.size(); ++i)
-    for (std::size_t c = 0; c < 3; ++c)
-      image.pixels[3 * i + c] = static_cast<float>((channels[c]->values[i] - range.low) / span);
-  return image;
-}
-
 Image read_color(const std::filesystem::path& file) {
   Faults faults;
   auto image = read_image(file, Location{}, faults);
@@ -111,35 +65,63 @@ Image read_color(const std::filesystem::path& file) {
   return std::move(*image);
 }
 
+bool is_given(const CLI::Option* option) { return option->count() > 0; }
+
+/// The channels that can be written, and the colours in place of those that are there.
+std::vector<Channel> kept_channels(ChannelPicture picture, std::vector<Channel> colors) {
+  std::vector<Channel> kept = std::move(colors);
+  for (Channel& channel : picture.channels) {
+    const auto same = [&](const Channel& one) { return one.name == channel.name; };
+    if (std::any_of(kept.begin(), kept.end(), same)) continue;
+    const auto finite = [](float value) { return std::isfinite(value); };
+    if (std::all_of(channel.values.begin(), channel.values.end(), finite))
+      kept.push_back(std::move(channel));
+    else
+      std::cerr << "note: the channel " << harmless(channel.name)
+                << " is left out: it has values that are not finite\n";
+  }
+  return kept;
+}
+
+/// All that an EXR holds, its colours developed as the options say.
+int develop_into_exr(const ImageArguments& arguments) {
+  Metadata header = read_exr_texts(arguments.file);
+  // What has been done to the light must not be asked for once more, nor made again without it.
+  if (std::any_of(arguments.developing.begin(), arguments.developing.end(), is_given))
+    header = without_recipe(without_development(std::move(header)));
+  const Image image = developed(read_color(arguments.file), arguments.development);
+  write_image(arguments.output, image.width, image.height,
+              kept_channels(read_layers(arguments.file), color_channels(image)), header);
+  return exit_done;
+}
+
+/// What the picture's header says of it, but for what the options say.
+Development development_of(const ImageArguments& arguments) {
+  if (!is_exr(arguments.file)) return arguments.development;
+  Development development = development_in(read_exr_texts(arguments.file));
+  const auto& [exposure, tone, white_balance] = arguments.developing;
+  if (is_given(exposure)) development.exposure = arguments.development.exposure;
+  if (is_given(tone)) development.tone = arguments.development.tone;
+  if (is_given(white_balance)) development.white_balance = arguments.development.white_balance;
+  return development;
+}
+
 int develop(const ImageArguments& arguments) {
   check_writable(arguments.output);
-  const Image image = developed(read_color(arguments.file), arguments.development);
-  if (keeps_light(arguments.output))
-    std::cerr << "note: " << arguments.output.string()
-              << " gets the colours alone: no layers, and nothing of the header\n";
+  if (keeps_light(arguments.output) && is_exr(arguments.file)) return develop_into_exr(arguments);
+  const Image image = developed(read_color(arguments.file), development_of(arguments));
   write_image(arguments.output, image.width, image.height, color_channels(image), {});
   return exit_done;
 }
 
 int show_layer(const ImageArguments& arguments) {
   check_writable(arguments.output);
-  const ChannelPicture picture = read_layers(arguments.file);
-  const std::string& layer = arguments.layer;
-  const auto channels = channels_named(picture, layer);
-  Image image;
-  if (channels.size() == 3) {
-    image = vector_picture(picture, layer, channels);
-  } else {
-    const Plane plane{picture.width, picture.height, channels.front()->values};
-    const bool counted =
-        layer == "object" || layer == "fate" || layer == "crossings" || layer == "order";
-    const double absent = layer == "depth" ? no_depth : std::numeric_limits<double>::infinity();
-    const ValueRange range = arguments.range.empty()
-                                 ? range_of(channels, absent)
-                                 : ValueRange{arguments.range[0], arguments.range[1]};
-    image = counted ? number_picture(plane, number_names(layer, plane.values))
-                    : heat_picture(plane, range, absent);
-  }
+  LayerStyle style;
+  if (!arguments.range.empty()) style.range = ValueRange{arguments.range[0], arguments.range[1]};
+  if (is_exr(arguments.file))
+    for (const auto& [name, text] : read_exr_texts(arguments.file))
+      if (name == "portalens:objects") style.objects = listed_names(text);
+  const Image image = layer_picture(read_layers(arguments.file), arguments.layer, style);
   write_image(arguments.output, image.width, image.height, color_channels(image), {});
   return exit_done;
 }
@@ -190,16 +172,17 @@ int compare(const ImageArguments& arguments) {
                           : arguments.measure == "p99" ? result.p99
                                                        : result.max;
   const bool alike = !arguments.threshold || measured <= *arguments.threshold;
+  std::ostream& out = words_beside(arguments.output);
   if (arguments.json)
-    std::cout << json_line({{"mean", result.mean},
-                            {"max", result.max},
-                            {"p99", result.p99},
-                            {"max_at", {result.x, result.y}},
-                            {"alike", alike}})
-              << '\n';
+    out << json_line({{"mean", result.mean},
+                      {"max", result.max},
+                      {"p99", result.p99},
+                      {"max_at", {result.x, result.y}},
+                      {"alike", alike}})
+        << '\n';
   else
-    std::cout << fmt::format("mean {:.6g}, 99 % below {:.6g}, max {:.6g} at pixel {} {}\n",
-                             result.mean, result.p99, result.max, result.x, result.y);
+    out << fmt::format("mean {:.6g}, 99 % below {:.6g}, max {:.6g} at pixel {} {}\n", result.mean,
+                       result.p99, result.max, result.x, result.y);
   if (!arguments.output.empty()) {
     const Image picture = heat_picture(result.differences, {0.0, result.max},
                                        std::numeric_limits<double>::infinity());
@@ -213,9 +196,8 @@ int compare(const ImageArguments& arguments) {
 
 /// Which of the three was asked for, or why none.
 Command command_of(const std::shared_ptr<ImageArguments>& arguments) {
-  const auto asked = [](const CLI::Option* option) { return option->count() > 0; };
   const bool develops =
-      std::any_of(arguments->developing.begin(), arguments->developing.end(), asked);
+      std::any_of(arguments->developing.begin(), arguments->developing.end(), is_given);
   if (develops && (!arguments->layer.empty() || !arguments->compared.empty()))
     throw CLI::ExcludesError("--exposure, --tone and --white-balance", "--layer and --compare");
   const bool shows = !arguments->file.empty() || !arguments->layer.empty();
@@ -225,8 +207,11 @@ Command command_of(const std::shared_ptr<ImageArguments>& arguments) {
   }
   if (arguments->file.empty() || arguments->output.empty())
     throw CLI::RequiredError("FILE and -o, or --compare A B,");
-  if (arguments->layer.empty()) return [arguments] { return develop(*arguments); };
-  return [arguments] { return show_layer(*arguments); };
+  return [arguments] {
+    const SpooledInput input(arguments->file);
+    arguments->file = input.file();
+    return arguments->layer.empty() ? develop(*arguments) : show_layer(*arguments);
+  };
 }
 
 }  // namespace
@@ -236,7 +221,8 @@ void add_image_command(CLI::App& program, Command& chosen) {
   CLI::App& command = *program.add_subcommand(
       "image", "Turn a picture into another kind, show a layer, or compare two");
   command.add_option("FILE", arguments->file,
-                     "A picture: EXR, PNG, HDR or JPEG; with layers by render --layers");
+                     "A picture: EXR, PNG, HDR or JPEG; with layers by render --layers; - is "
+                     "standard input");
   arguments->developing = add_development_options(command, arguments->development);
   CLI::Option* layer = command
                            .add_option("--layer", arguments->layer,
@@ -267,7 +253,8 @@ void add_image_command(CLI::App& program, Command& chosen) {
       ->check(CLI::IsMember({"mean", "p99", "max"}));
   command
       .add_option("-o,--output", arguments->output,
-                  "The picture to write, .png, .jpg or .exr; of a comparison, its differences")
+                  "The picture to write, .png, .jpg or .exr, or - for standard output, as PNG; of "
+                  "a comparison, its differences")
       ->type_name("FILE");
   command.add_flag("--json", arguments->json, "Print the differences as one JSON object")
       ->needs(compared);

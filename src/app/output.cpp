@@ -15,6 +15,10 @@ namespace portalens {
 
 bool is_part(const std::filesystem::path& file) { return file.extension() == partial_suffix; }
 
+std::ostream& words_beside(const std::filesystem::path& file) {
+  return file == standard_stream ? std::cerr : std::cout;
+}
+
 void check_output(const std::filesystem::path& file, const Assignment& assignment) {
   const auto refuse = [&](const std::string& problem, const std::string& remedy) {
     throw SceneError({{Location{}, problem, remedy}});
@@ -54,13 +58,14 @@ void write_output(const std::filesystem::path& file, const Exposure& exposure,
 
 void tell(const RenderResult& result, const Provenance& provenance,
           const std::filesystem::path& file, const Telling& telling) {
+  std::ostream& out = words_beside(file);
   if (telling.json) {
-    std::cout << json_line(statistics_json(result, provenance, file)) << '\n';
+    out << json_line(statistics_json(result, provenance, file)) << '\n';
   } else if (!telling.quiet) {
-    std::cout << fmt::format("{}: {} x {}, {} samples a pixel, {:.2f} s; {}\n", file.string(),
-                             result.window.width(), result.window.height(), result.samples.count(),
-                             result.seconds, fates_text(result.tally));
-    if (telling.statistics) std::cout << statistics_text(result, provenance);
+    out << fmt::format("{}: {} x {}, {} samples a pixel, {:.2f} s; {}\n", file.string(),
+                       result.window.width(), result.window.height(), result.samples.count(),
+                       result.seconds, fates_text(result.tally));
+    if (telling.statistics) out << statistics_text(result, provenance);
   }
   if (!telling.quiet) std::cerr << complaint(result.tally);
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <iosfwd>
 #include <string>
 
 #include "io/image.h"
@@ -13,6 +14,10 @@ namespace portalens {
 
 /// Whether the file's name says that it is to be a part of a picture.
 [[nodiscard]] bool is_part(const std::filesystem::path& file);
+
+/// Where words go while something is written to that file: to standard error if it is standard
+/// output.
+[[nodiscard]] std::ostream& words_beside(const std::filesystem::path& file);
 
 /// Finds out before the work whether the result can be written.
 /// @param assignment  what will be taken

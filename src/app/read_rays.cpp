@@ -59,6 +59,7 @@ std::vector<Ray> read_rays(std::istream& input, const std::string& name) {
   }
   if (input.bad())
     faults.add({file, 0}, "reading failed", "a file of lines 'x y z dx dy dz' is needed");
+  if (rays.empty() && faults.empty()) faults.add({file, 0}, "there is no ray in it", remedy);
   faults.raise();
   return rays;
 }

@@ -50,31 +50,35 @@ class Watchers : public Progress {
   std::optional<ProgressBar> bar_;
 };
 
-Scene asked_scene(RenderArguments& arguments) {
-  Scene scene = read_with_settings(arguments.scene);
-  keep_shape(arguments, scene);
+/// The scene with what the options --width and so on change in it, too.
+AskedScene asked_scene(RenderArguments& arguments) {
+  AskedScene asked = read_with_settings(arguments.scene);
+  keep_shape(arguments, asked.scene);
   Faults faults;
   for (const auto& [key, value] : arguments.overrides)
-    override_value(scene, key + "=" + value, faults);
+    override_value(asked.scene, key + "=" + value, faults, place_of_override(key));
   faults.raise();
-  return scene;
+  return asked;
 }
 
-Provenance provenance_of(const Scene& scene, const World& world, const RenderArguments& arguments) {
-  Provenance provenance{fingerprint_of(scene, world, arguments.options),
-                        world_metadata(world, arguments.options), scene_words(arguments)};
-  if (!arguments.layers.empty())
+Provenance provenance_of(const AskedScene& asked, const World& world,
+                         const RenderArguments& arguments, const RenderOptions& options) {
+  Provenance provenance{fingerprint_of(asked.scene, world, options), world_metadata(world, options),
+                        scene_words(arguments)};
+  if (!options.layers.empty())
     provenance.metadata.emplace_back("portalens:objects", object_list(world));
+  for (auto& entry : recipe_metadata(recipe_of(arguments, asked, world, options)))
+    provenance.metadata.push_back(std::move(entry));
   return provenance;
 }
 
 /// Runs the exposure with all who watch it.
 std::optional<int> run_watched(const World& world, Exposure& exposure,
-                               const RenderArguments& arguments, const Provenance& provenance,
-                               const Keeping& keeping, Signals& signals) {
+                               const RenderArguments& arguments, const RenderOptions& options,
+                               const Provenance& provenance, const Keeping& keeping,
+                               Signals& signals) {
   Watchers watchers(arguments, keeping.picture, exposure);
-  const auto ended =
-      run_kept(world, exposure, arguments.options, provenance, keeping, signals, &watchers);
+  const auto ended = run_kept(world, exposure, options, provenance, keeping, signals, &watchers);
   if (watchers.server_went_away() && !arguments.quiet)
     std::cerr << "note: the display server went away; the picture went on without it\n";
   return ended;
@@ -91,7 +95,7 @@ RenderResult finish(const Exposure& exposure, const Provenance& provenance,
     throw;
   }
   std::error_code ignored;
-  std::filesystem::remove(checkpoint_of(keeping.picture), ignored);
+  if (is_kept(keeping.picture)) std::filesystem::remove(checkpoint_of(keeping.picture), ignored);
   return result;
 }
 
@@ -122,32 +126,55 @@ void warn(const World& world) {
     std::cerr << fmt::format("warning: and {} more, which check tells\n", warnings.size() - most);
 }
 
+/// Where the picture goes.
+/// @throws SceneError, WorkError where it can't
+std::filesystem::path picture_of(const RenderArguments& arguments) {
+  const std::string suffix = arguments.layers.empty() && !arguments.scene.from ? ".png" : ".exr";
+  const std::filesystem::path picture =
+      arguments.output.value_or(stem_of(arguments.scene) + suffix);
+  if (!is_kept(picture) && (arguments.checkpoint || arguments.resume || arguments.restart))
+    throw SceneError({{Location{}, "a picture for standard output has no checkpoint",
+                       "name a file with -o, or leave --checkpoint, --resume and --restart out"}});
+  if (!is_part(picture)) check_writable(picture);  // before a scene that takes long to compile
+  return picture;
+}
+
+/// The exposure to begin with, where the picture may have a checkpoint.
+std::unique_ptr<Exposure> begun(const std::filesystem::path& picture,
+                                const RenderArguments& arguments, const Provenance& provenance,
+                                const Assignment& assignment) {
+  if (!is_kept(picture)) return std::make_unique<Exposure>(assignment);
+  const Found found = arguments.resume    ? Found::resume
+                      : arguments.restart ? Found::restart
+                                          : Found::refuse;
+  return begun_exposure(checkpoint_of(picture), found, provenance, assignment);
+}
+
 int render_scene(RenderArguments& arguments) {
   Signals signals;
-  const Scene scene = asked_scene(arguments);
-  const std::filesystem::path picture = arguments.output.value_or(
-      arguments.scene.file.stem().string() + (arguments.layers.empty() ? ".png" : ".exr"));
-  if (!is_part(picture)) check_writable(picture);  // before a scene that takes long to compile
-  const World world = compile_with_options(scene, arguments.scene);
-  const Assignment assignment = assignment_of(world, asked_options(arguments, world));
+  const AskedScene asked = asked_scene(arguments);
+  const std::filesystem::path picture = picture_of(arguments);
+  const World world = compile_with_options(asked, arguments.scene);
+  const RenderOptions options = asked_options(arguments, asked, world, picture);
+  const Assignment assignment = assignment_of(world, options);
   if (!arguments.quiet) warn(world);
   check_output(picture, assignment);
   look_at_memory(world, assignment, arguments);
-  check_replaceable(checkpoint_of(picture));
-  const PictureLock lock(picture);
-  const Provenance provenance = provenance_of(scene, world, arguments);
-  const auto exposure = begun_exposure(checkpoint_of(picture),
-                                       arguments.resume    ? Found::resume
-                                       : arguments.restart ? Found::restart
-                                                           : Found::refuse,
-                                       provenance, assignment);
+  std::optional<PictureLock> lock;
+  if (is_kept(picture)) {
+    check_replaceable(checkpoint_of(picture));
+    lock.emplace(picture);
+  }
+  const Provenance provenance = provenance_of(asked, world, arguments, options);
+  const auto exposure = begun(picture, arguments, provenance, assignment);
 
   signals.hold_ends();
   const Keeping keeping{picture, arguments.checkpoint, arguments.quiet,
                         [&](const std::filesystem::path& file, const RenderResult& result) {
                           write_picture(file, result, provenance, Packing::quick);
                         }};
-  if (const auto code = run_watched(world, *exposure, arguments, provenance, keeping, signals))
+  if (const auto code =
+          run_watched(world, *exposure, arguments, options, provenance, keeping, signals))
     return *code;
   tell(finish(*exposure, provenance, keeping), provenance, picture,
        {arguments.quiet, arguments.statistics, arguments.json});

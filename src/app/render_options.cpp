@@ -6,10 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
+#include <utility>
 
 #include "app/choices.h"
 #include "app/development_options.h"
+#include "app/output.h"
 #include "app/shell_word.h"
+#include "portalens/version.h"
 #include "render/layers.h"
 
 namespace portalens {
@@ -64,7 +68,7 @@ void add_picture_options(CLI::App& command, RenderArguments& arguments) {
                   "Write these, too, beside the picture's R, G, B (an .exr file): " +
                       fmt::format("{}", fmt::join(layer_names, ", ")) + "; or all")
       ->delimiter(',')
-      ->check(CLI::IsMember(layer_words()))
+      ->check(known_word(layer_words()))
       ->type_name("NAME,...");
 }
 
@@ -100,7 +104,7 @@ void add_work_options(CLI::App& command, RenderArguments& arguments) {
                   "few samples are interpolated, else 32")
       ->check(CLI::Range(1, 4096));
   command
-      .add_option("--engine", arguments.options.engine,
+      .add_option("--engine", arguments.engine,
                   "automatic: photons in lanes of floats where the scene allows it (check tells "
                   "whether it does, and why not); scalar: one by one in double, the program's own "
                   "standard")
@@ -108,7 +112,7 @@ void add_work_options(CLI::App& command, RenderArguments& arguments) {
                                                        {"scalar", Engine::scalar}}))
       ->type_name("automatic|scalar");
   command
-      .add_option("--photons", arguments.options.photons,
+      .add_option("--photons", arguments.photons,
                   "fewer: where neighbouring photons agree, what those between them would find is "
                   "interpolated (in lanes only); all: every sample has a photon of its own")
       ->transform(
@@ -200,22 +204,55 @@ void keep_shape(RenderArguments& arguments, const Scene& scene) {
   }
 }
 
-RenderOptions asked_options(const RenderArguments& arguments, const World& world) {
+Location place_of_override(const std::string& key) {
+  std::string option = "--" + key.substr(key.find('.') + 1);
+  std::replace(option.begin(), option.end(), '_', '-');
+  return {std::make_shared<const std::string>(std::move(option)), 0};
+}
+
+RenderOptions asked_options(const RenderArguments& arguments, const AskedScene& asked,
+                            const World& world, const std::filesystem::path& picture) {
+  const auto& recipe = asked.recipe;
   RenderOptions options = arguments.options;
+  options.engine = arguments.engine.value_or(recipe ? recipe->engine : Engine::automatic);
+  options.photons = arguments.photons.value_or(recipe ? recipe->photons : Photons::fewer);
+  const Window film{0, 0, world.film.width, world.film.height};
+  const bool other_size = gives(arguments, "film.width") || gives(arguments, "film.height");
   if (!arguments.crop.empty())
-    options.crop = checked_crop(arguments.crop, Window{0, 0, world.film.width, world.film.height});
+    options.crop = checked_crop(arguments.crop, film);
+  else if (recipe && recipe->window && !other_size && film.holds(*recipe->window))
+    options.crop = recipe->window;
   options.samples = checked_samples(arguments, world);
-  options.layers = asked_layers(arguments.layers);
+  // A picture to look at is not asked for what it can't hold.
+  const bool kept =
+      recipe && arguments.layers.empty() && (is_part(picture) || keeps_light(picture));
+  options.layers = asked_layers(kept ? recipe->layers : arguments.layers);
   return options;
 }
 
+Recipe recipe_of(const RenderArguments& arguments, const AskedScene& asked, const World& world,
+                 const RenderOptions& options) {
+  Recipe recipe;
+  recipe.program = api::version;
+  recipe.scene_name = asked.scene.file.filename().string();
+  recipe.scene_digest = asked.scene.digest;
+  recipe.text = asked.scene.text;
+  recipe.files = world.files;
+  if (asked.recipe) recipe.settings = asked.recipe->settings;
+  const auto& settings = arguments.scene.settings;
+  recipe.settings.insert(recipe.settings.end(), settings.begin(), settings.end());
+  for (const auto& [key, value] : arguments.overrides) recipe.settings.push_back(key + "=" + value);
+  recipe.engine = options.engine;
+  recipe.photons = options.photons;
+  for (const Layer layer : options.layers)
+    recipe.layers.emplace_back(layer_names[static_cast<std::size_t>(layer)]);
+  return recipe;
+}
+
 std::string scene_words(const RenderArguments& arguments) {
-  std::string words = shell_word(arguments.scene.file.string());
-  for (const std::string& setting : arguments.scene.settings)
-    words += " --set " + shell_word(setting);
+  std::string words = scene_words(arguments.scene);
   for (const auto& [key, value] : arguments.overrides)
     words += " --set " + shell_word(key + "=" + value);
-  if (arguments.scene.allow_outside_files) words += " --allow-outside-files";
   return words;
 }
 

@@ -23,7 +23,9 @@ struct RenderArguments {
   std::optional<std::string> display_server;
   std::optional<double> checkpoint;  ///< seconds between two
   bool resume = false, restart = false;
-  RenderOptions options;
+  RenderOptions options;  ///< of which the threads and the tiles are asked for
+  std::optional<Engine> engine;
+  std::optional<Photons> photons;
   bool quiet = false, statistics = false, json = false;
 };
 
@@ -41,9 +43,19 @@ void add_crop_option(CLI::App& command, std::vector<int>& crop, const std::strin
 /// the shape that it has in the scene.
 void keep_shape(RenderArguments& arguments, const Scene& scene);
 
-/// What the arguments ask of a world: the options with crop, samples and layers.
+/// Where the option stands that changes a value, for messages: `--width` for film.width.
+[[nodiscard]] Location place_of_override(const std::string& key);
+
+/// What the arguments ask of a world, and what they leave open as the picture has it that the scene
+/// came from.
+/// @param picture  the file to be written
 /// @throws SceneError if the world's picture has no such part
-[[nodiscard]] RenderOptions asked_options(const RenderArguments& arguments, const World& world);
+[[nodiscard]] RenderOptions asked_options(const RenderArguments& arguments, const AskedScene& asked,
+                                          const World& world, const std::filesystem::path& picture);
+
+/// How the picture is made.
+[[nodiscard]] Recipe recipe_of(const RenderArguments& arguments, const AskedScene& asked,
+                               const World& world, const RenderOptions& options);
 
 /// The scene with everything that was changed in it, to be put after `portalens trace`.
 [[nodiscard]] std::string scene_words(const RenderArguments& arguments);

@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <sstream>
 #include <string_view>
 #include <utility>
 
 #include "app/development_options.h"
 #include "app/progress_bar.h"
+#include "app/view_metadata.h"
 #include "core/words.h"
 #include "portalens/version.h"
 #include "render/manner.h"
@@ -160,31 +163,6 @@ Json statistics_json(const RenderResult& result, const Provenance& provenance,
   return json;
 }
 
-namespace {
-
-/// Where the picture is seen from, how far it reaches, and what lies behind all.
-Metadata view_metadata(const World& world) {
-  const Camera& camera = world.camera;
-  const Environment& sky = world.appearance.environment;
-  const bool perspective = camera.projection == Projection::perspective;
-  const char* const axis = camera.fov_axis == FovAxis::x ? "x" : "y";
-  return {{"portalens:camera", perspective ? "perspective" : "orthographic"},
-          {"portalens:camera_position", vector_text(camera.position)},
-          {"portalens:camera_forward", vector_text(camera.forward)},
-          {"portalens:camera_up", vector_text(camera.up)},
-          {perspective ? "portalens:camera_fov" : "portalens:camera_size",
-           perspective ? fmt::format("{} degrees along {}", camera.fov, axis)
-                       : fmt::format("{}", camera.size)},
-          {"portalens:environment",
-           sky.image ? fmt::format("a picture, turned by {} degrees", sky.rotation)
-                     : vector_text(sky.color)},
-          {"portalens:lost_color", vector_text(world.appearance.limits.lost_color)},
-          {"portalens:lost_by_crossings",
-           world.appearance.limits.lost_color_given ? "lost_color" : "environment"}};
-}
-
-}  // namespace
-
 Metadata world_metadata(const World& world, const RenderOptions& options) {
   const Physics& physics = world.space.physics;
   const ShadingLimits& limits = world.appearance.limits;
@@ -237,6 +215,19 @@ std::string object_list(const World& world) {
   for (std::size_t i = 0; i < std::min(most, names.size()); ++i)
     list += fmt::format("{} {}\n", i + 1, names[i]);
   return list;
+}
+
+std::map<int, std::string> listed_names(const std::string& list) {
+  std::map<int, std::string> names;
+  std::istringstream lines(list);
+  for (std::string line; std::getline(lines, line);) {
+    int number = 0;
+    const char* const end = line.data() + line.size();
+    const auto [stopped, error] = std::from_chars(line.data(), end, number);
+    if (error == std::errc{} && stopped != end && *stopped == ' ')
+      names.emplace(number, harmless(std::string(stopped + 1, end)));
+  }
+  return names;
 }
 
 std::string complaint(const Tally& tally) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 
 #include "app/json.h"
@@ -41,6 +42,8 @@ void add_manner(const Metadata& header, Json& json);
 
 /// The objects' numbers in the layer `object`, a line each; those of large scenes are cut.
 [[nodiscard]] std::string object_list(const World& world);
+/// The names in such a list, by their numbers; what is no line of one is passed over.
+[[nodiscard]] std::map<int, std::string> listed_names(const std::string& list);
 
 /// Advice where photons were lost or trapped, or light was not a number; empty if there is none.
 [[nodiscard]] std::string complaint(const Tally& tally);

@@ -112,6 +112,10 @@ class WaysFile {
   WaysFile(const World& world, const TraceArguments& arguments)
       : world_(world), arguments_(arguments), points_(world, arguments.color) {
     const std::filesystem::path& file = arguments.output;
+    if (file == standard_stream)
+      throw SceneError(
+          {{Location{}, "what trace prints goes to standard output, and no file besides",
+            "name a file with -o"}});
     if (!is_drawing_file(file) && !is_path_file(file))
       throw SceneError({{Location{}, "can't write " + file.string() + ": its kind is not known",
                          "a file of paths ends in .obj, .ply, .gltf or .csv, a drawing of them in "
@@ -148,8 +152,8 @@ std::string name_of_photon(const TraceArguments& arguments, std::size_t i) {
 }
 
 int trace_photons(const TraceArguments& arguments) {
-  const Scene scene = read_with_settings(arguments.scene);
-  const World world = compile_with_options(scene, arguments.scene);
+  const AskedScene asked = read_with_settings(arguments.scene);
+  const World world = compile_with_options(asked, arguments.scene);
   const std::vector<Photon> photons = photons_of(world, arguments);
   const bool exported = !arguments.output.empty();
   std::optional<WaysFile> ways;

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "app/beyond.h"
+#include "render/cut_turning.h"
 
 namespace portalens {
 namespace {
@@ -34,6 +36,17 @@ std::string why_lost(const World& world, const Arrival& end) {
   if (end.length > physics.max_length)
     return fmt::format("it went further than physics.max_length = {:g}", physics.max_length);
   return "it came where a pull has no bound";
+}
+
+/// What the end of influences has taken from the turning; empty if that is next to nothing.
+std::string cut_text(const World& world, const Trace& trace) {
+  constexpr double least_share = 0.01, least = 1e-6;
+  const double cut = cut_turning(world, trace).value_or(0.0);
+  if (cut < std::max(least, least_share * trace.end.turning)) return "";
+  return fmt::format(
+      "; a pull without end (physics.min_force = 0) would turn it by about {:.3g} rad "
+      "more",
+      cut);
 }
 
 Json name_or_null(const std::string& name) { return name.empty() ? Json() : Json(name); }
@@ -81,6 +94,7 @@ Json trace_json(const World& world, const Trace& trace, int max_bounces, PathOut
                {"turning", end.turning},
                {"crossings", crossings},
                {"steps", end.steps}};
+  if (const auto cut = cut_turning(world, trace)) json["cut_turning"] = *cut;
   if (end.fate == Fate::lost) json["because"] = why_lost(world, end);
   if (const auto camera = beyond(world, trace)) json["camera_beyond"] = to_json(*camera);
   if (max_bounces > 0 || trace.view) json["bounces"] = bounces_json(world, trace);
@@ -126,6 +140,7 @@ std::string trace_text(const World& world, const Trace& trace, PathOutput path) 
       text += fmt::format("; image of order {}", trace.view->first_hit.order);
   }
   if (end.fate == Fate::lost) text += "; lost because " + why_lost(world, end);
+  text += cut_text(world, trace);
   text += '\n';
   if (const auto camera = beyond(world, trace))
     text += "a camera that goes through stands at\n" + as_toml(*camera, "  ");

@@ -120,6 +120,7 @@ const Value* Parameters::raw(std::string_view key) {
 const Value* Parameters::require(std::string_view key, bool optional, std::string_view what) {
   const Value* value = raw(key);
   if (!value && !optional) {
+    missing_.emplace(key, faults_->size());
     faults_->add(table_->where, table_->kind + " has no " + in_quotes(key),
                  "give it " + std::string(what));
   }
@@ -271,7 +272,14 @@ void Parameters::finish() {
   const std::vector<std::string> known(known_.begin(), known_.end());
   for (const auto& [key, value] : table_->entries) {
     if (known_.count(key) > 0) continue;
-    fault_at(value, "unknown key " + in_quotes(key), suggestion_or_list(key, known));
+    const Fault fault{value.where, "unknown key " + in_quotes(key), suggestion_or_list(key, known)};
+    const auto meant = missing_.find(suggestion(key, known));
+    if (meant == missing_.end()) {
+      faults_->add(fault.where, fault.problem, fault.remedy);
+    } else {
+      faults_->replace(meant->second, fault);
+      missing_.erase(meant);
+    }
   }
 }
 

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <optional>
 #include <set>
 #include <span>
@@ -98,7 +99,8 @@ class Parameters {
   const Value* raw(std::string_view key);
 
   void fault(std::string_view key, std::string problem, std::string remedy);
-  /// Reports every key that nobody asked for.
+  /// Reports every key that nobody asked for; one that was probably meant for a missing key, in
+  /// place of that.
   void finish();
 
  private:
@@ -111,6 +113,7 @@ class Parameters {
   const Table* table_;
   Faults* faults_;
   std::set<std::string, std::less<>> known_;
+  std::map<std::string, std::size_t, std::less<>> missing_;  ///< which fault told of each
 };
 
 }  // namespace portalens

@@ -50,7 +50,8 @@ bool is_sound(Parameters& parameters, std::span<const Vec3d> v) {
   const double most = edges.longest * edges.longest;
   if (!(edges.shortest > 1e-9 * edges.longest) || !(length(area) > 1e-9 * most)) {
     parameters.fault("vertices", "the " + parameters.kind() + " has no area",
-                     "give vertices that are all apart and not on one line");
+                     "give vertices that are all apart, not on one line, and in order around the "
+                     "outline");
     return false;
   }
   const Vec3d normal = normalize(area);

@@ -46,6 +46,16 @@ class Descriptor {
   int number_;
 };
 
+/// @param file  how messages call it
+void write_all(int number, std::string_view bytes, const fs::path& file) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(number, bytes.data(), std::min(bytes.size(), piece));
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) give_up(file, written < 0 ? cause(errno) : "nothing was written");
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
 fs::path folder_of(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
@@ -89,6 +99,8 @@ class Temporary {
                         std::to_string(attempt) + std::string(temporary_suffix));
       number_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0666);
       if (number_ >= 0) return;
+      if (errno == ENOENT || errno == ENOTDIR)
+        give_up(target, "there is no folder " + folder.string());
       if (errno != EEXIST) give_up(target, cause(errno));
     }
     give_up(target, "no free name for a temporary file");
@@ -101,12 +113,7 @@ class Temporary {
   Temporary& operator=(const Temporary&) = delete;
 
   void write(std::string_view bytes) {
-    while (!bytes.empty()) {
-      const ssize_t written = ::write(number_, bytes.data(), std::min(bytes.size(), piece));
-      if (written < 0 && errno == EINTR) continue;
-      if (written <= 0) give_up(target_, written < 0 ? cause(errno) : "nothing was written");
-      bytes.remove_prefix(static_cast<std::size_t>(written));
-    }
+    write_all(number_, bytes, target_);
     if (::fsync(number_) != 0) give_up(target_, cause(errno));
     const int result = ::close(number_);
     number_ = -1;
@@ -153,9 +160,10 @@ void flush_folder(const fs::path& file) {
 }
 
 /// Reads up to `size` bytes and whether the file ends there.
-std::optional<std::string> contents(int number, std::uint64_t size) {
+/// @param expected  how many there probably are
+std::optional<std::string> contents(int number, std::uint64_t size, std::uint64_t expected) {
   std::string bytes;
-  bytes.reserve(static_cast<std::size_t>(size) + 1);
+  bytes.reserve(static_cast<std::size_t>(expected) + 1);
   while (bytes.size() <= size) {
     const std::size_t before = bytes.size();
     bytes.resize(before + std::min<std::uint64_t>(piece, size + 1 - before));
@@ -230,16 +238,19 @@ std::optional<std::string> read_file(const fs::path& file, std::uint64_t limit,
     faults.add(asked_at, problem, remedy);
     return std::nullopt;
   };
-  const std::string name = file.string();
-  const auto found = open_regular(file, asked_at, faults);
+  const bool standard = file == standard_stream;
+  const std::string name = standard ? "standard input" : file.string();
+  const auto found =
+      standard ? Opened{::dup(STDIN_FILENO), limit} : open_regular(file, asked_at, faults);
   if (!found) return std::nullopt;
   const Descriptor opened(found->number);
   const std::uint64_t size = found->size;
   const std::string too_long = "at most " + in_megabytes(limit) + " are read";
   if (size > limit) return refuse(name + " has " + in_megabytes(size), too_long);
   try {
-    auto bytes = contents(opened.number(), size);
+    auto bytes = contents(opened.number(), size, standard ? 0 : size);
     if (!bytes) return refuse("can't read " + name + ": " + cause(errno), "check the disk");
+    if (bytes->size() > size && standard) return refuse(name + " is longer", too_long);
     if (bytes->size() > size) return refuse(name + " grew while it was read", "try again");
     if (digests) (*digests)[file] = digest(*bytes);
     return bytes;
@@ -266,6 +277,7 @@ bool holds(const fs::path& file, std::string_view bytes) {
 }  // namespace
 
 void replace_file(const fs::path& file, std::string_view bytes) {
+  if (file == standard_stream) return write_all(STDOUT_FILENO, bytes, "standard output");
   const fs::path target = behind_links(file);
   refuse_what_is_no_file(target);
   Temporary temporary(target);
@@ -276,6 +288,12 @@ void replace_file(const fs::path& file, std::string_view bytes) {
 }
 
 void check_replaceable(const fs::path& file) {
+  if (file == standard_stream) {
+    if (::isatty(STDOUT_FILENO) == 0) return;
+    throw SceneError({{{},
+                       "standard output is a terminal, which shows no files",
+                       "send it on with | or >, or name a file"}});
+  }
   const fs::path target = behind_links(file);
   refuse_what_is_no_file(target);
   remove_forgotten(folder_of(target));

@@ -14,8 +14,12 @@
 
 namespace portalens {
 
-/// The bytes of a regular file; a FIFO or a device is never waited for. A fault is added, and
-/// nothing returned, if there is no such file, it can't be read, or is longer than `limit` bytes.
+/// The name that means standard input where a file is read, standard output where one is written.
+inline constexpr const char* standard_stream = "-";
+
+/// The bytes of a regular file, or of standard input; a FIFO or a device is never waited for. A
+/// fault is added, and nothing returned, if there is no such file, it can't be read, or is longer
+/// than `limit` bytes.
 /// @param digests  if given, gets the digest of what was read
 [[nodiscard]] std::optional<std::string> read_file(const std::filesystem::path& file,
                                                    std::uint64_t limit, const Location& asked_at,
@@ -42,12 +46,13 @@ class RegularFile {
 
 /// Puts the bytes into a temporary file beside the target, flushes it, renames it, and reads the
 /// result back: whoever looks sees the old file or the new one, both whole. A link is followed.
+/// Standard output simply gets them.
 /// @throws WorkError with the path and the cause; the old file then still stands
 void replace_file(const std::filesystem::path& file, std::string_view bytes);
 
 /// Tries what `replace_file` will do, short of replacing anything; and removes the temporary files
 /// beside it that programs left there when they were killed, an hour ago or longer.
-/// @throws WorkError with the path and the cause
+/// @throws WorkError with the path and the cause; SceneError if standard output is a terminal
 void check_replaceable(const std::filesystem::path& file);
 
 }  // namespace portalens

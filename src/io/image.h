@@ -56,9 +56,9 @@ using Metadata = std::vector<std::pair<std::string, std::string>>;
 enum class Packing { small, quick };
 
 /// Writes the channels (all of width × height) as the suffix says: `.exr` float, linear, with the
-/// metadata; `.png`, `.jpg`, `.jpeg` 8-bit sRGB of R, G, B. Encoded to memory, written to a
-/// temporary file beside the target, flushed, renamed, read back: the old picture stays whole until
-/// the new one is.
+/// metadata; `.png`, `.jpg`, `.jpeg` 8-bit sRGB of R, G, B; to standard output as PNG. Encoded to
+/// memory, written to a temporary file beside the target, flushed, renamed, read back: the old
+/// picture stays whole until the new one is.
 /// @throws SceneError if the suffix is another, WorkError with the path and the cause
 void write_image(const std::filesystem::path& file, int width, int height,
                  const std::vector<Channel>& channels, const Metadata& metadata);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 
 #include "io/checksums.h"
 
@@ -69,6 +70,28 @@ std::optional<ImageFormat> image_format(std::string_view bytes) {
   if (begins("#?RADIANCE") || begins("#?RGBE")) return ImageFormat::hdr;
   if (begins("\xff\xd8\xff")) return ImageFormat::jpeg;
   return std::nullopt;
+}
+
+std::string_view unread_format(std::string_view bytes) {
+  using namespace std::string_view_literals;
+  using Known = std::pair<std::string_view, std::string_view>;
+  constexpr std::array known{Known{"BM"sv, "BMP"},
+                             Known{"GIF8"sv, "GIF"},
+                             Known{"II*\0"sv, "TIFF"},
+                             Known{"MM\0*"sv, "TIFF"},
+                             Known{"8BPS"sv, "Photoshop"},
+                             Known{"DDS "sv, "DDS"},
+                             Known{"\xabKTX"sv, "KTX"},
+                             Known{"\0\0\0\x0cjP  "sv, "JPEG 2000"},
+                             Known{"\xff\x0a"sv, "JPEG XL"},
+                             Known{"P6"sv, "PPM"},
+                             Known{"PF"sv, "PFM"}};
+  for (const auto& [magic, name] : known)
+    if (bytes.starts_with(magic)) return name;
+  if (bytes.starts_with("RIFF") && bytes.substr(0, 12).ends_with("WEBP")) return "WebP";
+  if (bytes.substr(0, 12).find("ftypavif") == 4) return "AVIF";
+  if (bytes.substr(0, 12).find("ftyphei") == 4) return "HEIF";
+  return bytes.ends_with("TRUEVISION-XFILE.\0"sv) ? "TGA" : "";
 }
 
 std::optional<std::string> without_descriptions(std::string bytes, ImageFormat format) {

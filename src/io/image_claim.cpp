@@ -8,53 +8,11 @@
 #include <optional>
 #include <utility>
 
+#include "io/header_cursor.h"
 #include "io/radiance_header.h"
 
 namespace portalens {
 namespace {
-
-[[noreturn]] void refuse_as_broken(const std::string& why) {
-  throw Refusal{"is broken: " + why, "save it again"};
-}
-
-/// Walks over bytes; what lies beyond their end is refused.
-class Cursor {
- public:
-  explicit Cursor(std::string_view bytes) : bytes_(bytes) {}
-
-  [[nodiscard]] std::size_t left() const { return bytes_.size() - at_; }
-  [[nodiscard]] bool at_zero() const { return left() > 0 && bytes_[at_] == '\0'; }
-
-  std::string_view take(std::size_t count) {
-    if (count > left()) refuse_as_broken("its header is cut off");
-    const std::string_view taken = bytes_.substr(at_, count);
-    at_ += count;
-    return taken;
-  }
-  std::int64_t big(std::size_t count) {
-    std::int64_t number = 0;
-    for (const char byte : take(count)) number = number * 256 + static_cast<unsigned char>(byte);
-    return number;
-  }
-  /// Four bytes, the least first, with a sign.
-  std::int64_t little() {
-    const std::string_view four = take(4);
-    std::uint32_t number = 0;
-    for (std::size_t i = 4; i-- > 0;) number = number << 8 | static_cast<unsigned char>(four[i]);
-    return static_cast<std::int32_t>(number);
-  }
-  std::string_view text() {
-    const std::size_t end = bytes_.find('\0', at_);
-    if (end == bytes_.npos) refuse_as_broken("its header is cut off");
-    const std::string_view taken = take(end - at_);
-    take(1);
-    return taken;
-  }
-
- private:
-  std::string_view bytes_;
-  std::size_t at_ = 0;
-};
 
 void check_size(std::int64_t width, std::int64_t height) {
   if (width < 1 || height < 1) throw Refusal{"holds no flat picture", "save it as an ordinary one"};
@@ -71,7 +29,7 @@ void check_room(std::int64_t decoded, std::size_t bytes, std::int64_t ratio) {
                   "save it again"};
 }
 
-void check_png(Cursor in, std::size_t size) {
+void check_png(HeaderCursor in, std::size_t size) {
   in.take(16);
   const std::int64_t width = in.big(4), height = in.big(4), depth = in.big(1), color = in.big(1);
   check_size(width, height);
@@ -82,7 +40,7 @@ void check_png(Cursor in, std::size_t size) {
   check_room(height * (bits / 8 + 1), size, 1032);  // deflate's utmost
 }
 
-void check_jpeg(Cursor in, std::size_t size) {
+void check_jpeg(HeaderCursor in, std::size_t size) {
   in.take(2);
   while (true) {
     if (in.big(1) != 0xff) refuse_as_broken("a marker is missing");
@@ -147,7 +105,7 @@ std::optional<std::size_t> exr_type_size(std::string_view type) {
 }
 
 /// That an attribute is as long as what its type makes the decoder read of it.
-void check_exr_length(std::string_view type, Cursor value) {
+void check_exr_length(std::string_view type, HeaderCursor value) {
   const auto size = static_cast<std::int64_t>(value.left());
   bool sound = true;
   if (const auto fixed = exr_type_size(type)) {
@@ -191,13 +149,13 @@ struct ExrPart {
   ExrCoding coding{256, 1};
   std::int64_t tile_width = 0, tile_height = 0;
 
-  static void widen(Cursor box, std::int64_t& across, std::int64_t& down) {
+  static void widen(HeaderCursor box, std::int64_t& across, std::int64_t& down) {
     const std::int64_t x0 = box.little(), y0 = box.little();
     across = std::max(across, box.little() - x0 + 1);
     down = std::max(down, box.little() - y0 + 1);
   }
 
-  void attribute(std::string_view name, std::string_view type, Cursor value) {
+  void attribute(std::string_view name, std::string_view type, HeaderCursor value) {
     if (name == "dataWindow" && type == "box2i") {
       widen(value, width, height);
     } else if (name == "displayWindow" && type == "box2i") {
@@ -244,19 +202,16 @@ struct ExrPart {
   }
 };
 
-void check_exr(Cursor in, std::size_t size) {
+void check_exr(HeaderCursor in, std::size_t size) {
   in.take(4);
   const bool multipart = (in.little() & 0x1000) != 0;
   do {
     ExrPart part;
     while (!in.at_zero()) {
-      const std::string_view name = in.text();
-      const std::string_view type = in.text();
-      const std::int64_t length = in.little();
-      if (length < 0) refuse_as_broken("an attribute has no length");
-      const Cursor value(in.take(static_cast<std::size_t>(length)));
-      check_exr_length(type, value);
-      part.attribute(name, type, value);
+      const ExrAttribute attribute = take_exr_attribute(in);
+      const HeaderCursor value(attribute.value);
+      check_exr_length(attribute.type, value);
+      part.attribute(attribute.name, attribute.type, value);
     }
     in.take(1);
     part.check(size);
@@ -266,7 +221,7 @@ void check_exr(Cursor in, std::size_t size) {
 }  // namespace
 
 void check_claim(std::string_view bytes, ImageFormat format) {
-  const Cursor in(bytes);
+  const HeaderCursor in(bytes);
   switch (format) {
     case ImageFormat::exr:
       return check_exr(in, bytes.size());

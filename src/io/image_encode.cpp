@@ -11,6 +11,7 @@
 #include <new>
 #include <string>
 
+#include "io/exr_matrix.h"
 #include "io/srgb_bytes.h"
 
 namespace portalens {
@@ -62,7 +63,11 @@ std::vector<unsigned char> encode_exr(const EncodedPicture& picture) {
                        OIIO::TypeDesc::FLOAT);
   spec.channelnames.clear();
   for (const ChannelView& channel : channels) spec.channelnames.push_back(channel.name);
-  for (const auto& [key, value] : picture.metadata) spec.attribute(key, value);
+  for (const auto& [key, value] : picture.metadata)
+    if (const auto matrix = key == matrix_entry ? matrix_in(value) : std::nullopt)
+      spec.attribute("worldtocamera", OIIO::TypeMatrix, matrix->data());
+    else
+      spec.attribute(key, value);
   spec.attribute("compression", picture.packing == Packing::small ? "zip" : "rle");
   spec.attribute("oiio:ColorSpace", "Linear");
   spec.attribute("DateTime", "1970:01:01 00:00:00");  // else the time: not the same bits twice

@@ -22,7 +22,7 @@
 #include "io/image_claim.h"
 #include "io/image_window.h"
 #include "io/radiance.h"
-#include "io/srgb.h"
+#include "math/srgb.h"
 
 namespace portalens {
 namespace {
@@ -207,7 +207,9 @@ auto read_picture(const std::filesystem::path& file, const Location& asked_at, F
   const std::string name = "the picture " + file.filename().string() + " ";
   const auto format = image_format(*bytes);
   if (!format) {
-    faults.add(asked_at, name + "is of no known kind", "EXR, PNG, HDR and JPEG are read");
+    const std::string kind(unread_format(*bytes));
+    faults.add(asked_at, name + (kind.empty() ? "is of no known kind" : "is " + kind),
+               "EXR, PNG, HDR and JPEG are read");
     return std::nullopt;
   }
   try {

@@ -20,6 +20,7 @@ namespace fs = std::filesystem;
 enum class Target { exr, png, jpeg };
 
 Target target_of(const fs::path& file) {
+  if (file == standard_stream) return Target::png;
   std::string suffix = file.extension().string();
   for (char& letter : suffix) {
     if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "io/obj_reader.h"
-#include "io/srgb.h"
+#include "math/srgb.h"
 
 namespace portalens {
 

@@ -64,61 +64,72 @@ void add_once(std::vector<std::string>& words, const std::string& word) {
 }
 
 /// The element that is meant; where there is none, a fault says which there are.
-Table* find_element(Scene& scene, const Target& target, Faults& faults) {
+Table* find_element(Scene& scene, const Target& target, Faults& faults, const Location& set_at) {
   std::vector<std::string> kinds, names;
   for (Table* table : tables_of(scene)) {
     add_once(kinds, table->kind);
     if (table->kind != target.section) continue;
+    const std::string index = std::to_string(names.size());
     names.push_back(name_of(*table, names.size()));
-    if (names.back() == target.name) return table;
+    if (names.back() == target.name || index == target.name) return table;
   }
   if (names.empty())
-    faults.add({}, "the scene has no [[" + target.section + "]]",
+    faults.add(set_at, "the scene has no [[" + target.section + "]]",
                suggestion_or_list(target.section, kinds));
   else
-    faults.add({}, "no [[" + target.section + "]] is named " + in_quotes(*target.name),
+    faults.add(set_at, "no [[" + target.section + "]] is named " + in_quotes(*target.name),
                suggestion_or_list(*target.name, names));
   return nullptr;
 }
 
 /// An element was meant, but not named; or a section that there is not.
-void refuse_section(Scene& scene, const Target& target, Faults& faults) {
+void refuse_section(Scene& scene, const Target& target, Faults& faults, const Location& set_at) {
   std::size_t count = 0;
   std::string name;
   for (const Table* table : tables_of(scene))
     if (table->kind == target.section && count++ == 0) name = name_of(*table, 0);
   if (count > 0)
-    faults.add({}, in_quotes(target.section + "." + target.key) + " does not say which one",
+    faults.add(set_at, in_quotes(target.section + "." + target.key) + " does not say which one",
                "write its name, as in " + target.section + "." + name + "." + target.key + "=...");
   else
-    faults.add({}, "unknown section " + in_quotes(target.section),
+    faults.add(set_at, "unknown section " + in_quotes(target.section),
                suggestion_or_list(target.section, sections_known()));
+}
+
+void place(Value& value, const Location& where) {
+  value.where = where;
+  if (auto* list = std::get_if<Value::List>(&value.data))
+    for (Value& one : *list) place(one, where);
+  if (auto* dictionary = std::get_if<Value::Dictionary>(&value.data))
+    for (Entry& entry : *dictionary) place(entry.value, where);
 }
 
 }  // namespace
 
-void override_value(Scene& scene, const std::string& assignment, Faults& faults) {
+void override_value(Scene& scene, const std::string& assignment, Faults& faults,
+                    const Location& set_at) {
   const std::size_t equals = assignment.find('=');
   const auto target =
       equals == std::string::npos ? std::nullopt : target_in(assignment.substr(0, equals));
   if (!target) {
-    faults.add({}, in_quotes(assignment) + " sets nothing",
+    faults.add(set_at, in_quotes(assignment) + " sets nothing",
                "write SECTION.KEY=VALUE, as in physics.tolerance=1e-5, or KIND.NAME.KEY=VALUE, as "
                "in sphere.ball.radius=2");
     return;
   }
-  Table* table =
-      target->name ? find_element(scene, *target, faults) : find_section(scene, target->section);
+  Table* table = target->name ? find_element(scene, *target, faults, set_at)
+                              : find_section(scene, target->section);
   if (!table) {
-    if (!target->name) refuse_section(scene, *target, faults);
+    if (!target->name) refuse_section(scene, *target, faults, set_at);
     return;
   }
   auto value = read_toml_value(with_leading_zeros(assignment.substr(equals + 1)));
   if (!value) {
-    faults.add({}, in_quotes(assignment.substr(equals + 1)) + " is no value",
+    faults.add(set_at, in_quotes(assignment.substr(equals + 1)) + " is no value",
                "give a number, true or false, a word, a \"string\" or a [list]");
     return;
   }
+  place(*value, set_at);
   table->set(target->key, std::move(*value));
   if (!target->name && target->section == "camera") scene.has_camera = true;
 }

@@ -10,6 +10,7 @@
 
 #include "io/bits.h"
 #include "io/checksums.h"
+#include "io/exr_matrix.h"
 #include "io/srgb_bytes.h"
 
 namespace portalens {
@@ -83,7 +84,13 @@ std::string exr_header(const EncodedPicture& picture,
   append_attribute(header, "screenWindowCenter", "v2f", middle);
   append_attribute(header, "screenWindowWidth", "float", one);
   for (const auto& [name, value] : picture.metadata)
-    append_attribute(header, name, "string", value);
+    if (const auto matrix = name == matrix_entry ? matrix_in(value) : std::nullopt) {
+      std::string numbers;
+      for (const float number : *matrix) append_float(numbers, number);
+      append_attribute(header, name, "m44f", numbers);
+    } else {
+      append_attribute(header, name, "string", value);
+    }
   return header + '\0';
 }
 

@@ -8,7 +8,7 @@
 #include <iterator>
 
 #include "io/files.h"
-#include "io/srgb.h"
+#include "math/srgb.h"
 
 namespace portalens {
 namespace {

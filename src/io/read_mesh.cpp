@@ -55,7 +55,7 @@ class MeshReader {
         materials_(path, faults, warnings_, digests) {}
 
   MeshFile read() {
-    while (faults_->size() - before_ < max_faults && lines_.next()) statement();
+    while (!is_other_ && faults_->size() - before_ < max_faults && lines_.next()) statement();
     check_indices_ahead();
     if (faults_->size() == before_ && mesh_.corners.empty()) {
       faults_->add({file_, 0}, "the mesh has no faces", "check that the file is whole");
@@ -100,9 +100,20 @@ class MeshReader {
     } else if (is_one_of(free_form, word)) {
       pass_over_free_form();
     } else if (!is_one_of(harmless, word)) {
-      refuse("unknown statement " + in_quotes(word),
-             suggestion_or_list(word, {"v", "vt", "vn", "f", "o", "g", "s", "usemtl", "mtllib"}));
+      if (knows_ == 0 && faults_->size() > before_) return refuse_as_other();
+      return refuse(
+          "unknown statement " + in_quotes(word),
+          suggestion_or_list(word, {"v", "vt", "vn", "f", "o", "g", "s", "usemtl", "mtllib"}));
     }
+    ++knows_;
+  }
+
+  /// Its first two statements are none of OBJ: so will the others be.
+  void refuse_as_other() {
+    is_other_ = true;
+    faults_->replace(before_, {{file_, 0},
+                               "this is no OBJ mesh: it begins with statements that OBJ lacks",
+                               "name a Wavefront .obj file"});
   }
 
   /// The first three of `low` to `high` numbers, each of which must be one.
@@ -237,6 +248,8 @@ class MeshReader {
   FileMaterials wanted_;
   Faults* faults_;
   std::size_t before_;
+  std::size_t knows_ = 0;  ///< statements that were understood
+  bool is_other_ = false;  ///< the file is of another kind
   Triangles mesh_;
   MeshWarnings warnings_;
   MeshMaterials materials_;

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "core/words.h"
+#include "io/digest.h"
 #include "io/files.h"
 #include "io/obj.h"
 #include "io/toml.h"
@@ -13,7 +14,7 @@
 namespace portalens {
 namespace {
 
-constexpr std::uint64_t max_toml = std::uint64_t{1} << 20;
+constexpr std::uint64_t max_toml = max_kept_text;
 constexpr std::uint64_t max_obj = std::uint64_t{1} << 30;  // an ordinary mesh may be its own scene
 
 std::string lower_suffix(const std::filesystem::path& file) {
@@ -22,10 +23,6 @@ std::string lower_suffix(const std::filesystem::path& file) {
     if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
   }
   return suffix;
-}
-
-void check_not_empty(std::string_view text, const Location& whole) {
-  if (text.empty()) throw SceneError({{whole, "the file is empty", "describe a scene in it"}});
 }
 
 }  // namespace
@@ -38,9 +35,27 @@ Scene empty_scene(const std::filesystem::path& file) {
   return scene;
 }
 
-Scene read_scene(const std::filesystem::path& file) {
+namespace {
+
+enum class Kind { toml, obj };
+
+Scene scene_of(std::string_view text, const std::filesystem::path& file, Kind kind) {
   Scene scene = empty_scene(file);
   const Location whole = scene.camera.where;
+  if (text.empty()) throw SceneError({{whole, "the file is empty", "describe a scene in it"}});
+  if (kind == Kind::obj)
+    read_obj(text, whole.file, scene);
+  else
+    read_toml(text, whole.file, scene);
+  scene.digest = digest(text);
+  if (text.size() <= max_kept_text) scene.text.emplace(text);
+  return scene;
+}
+
+}  // namespace
+
+Scene read_scene(const std::filesystem::path& file) {
+  const Location whole = empty_scene(file).camera.where;
   Faults faults;
   const std::string suffix = lower_suffix(file);
   if (suffix != ".toml" && suffix != ".obj") {
@@ -50,21 +65,15 @@ Scene read_scene(const std::filesystem::path& file) {
   }
   const auto text = read_file(file, suffix == ".toml" ? max_toml : max_obj, whole, faults);
   faults.raise();
-  check_not_empty(*text, whole);
-  if (suffix == ".toml") {
-    read_toml(*text, whole.file, scene);
-  } else {
-    read_obj(*text, whole.file, scene);
-  }
-  return scene;
+  return read_kept_text(*text, file);
 }
 
 Scene read_scene_text(std::string_view text, const std::filesystem::path& file) {
-  Scene scene = empty_scene(file);
-  const Location whole = scene.camera.where;
-  check_not_empty(text, whole);
-  read_toml(text, whole.file, scene);
-  return scene;
+  return scene_of(text, file, Kind::toml);
+}
+
+Scene read_kept_text(std::string_view text, const std::filesystem::path& file) {
+  return scene_of(text, file, lower_suffix(file) == ".obj" ? Kind::obj : Kind::toml);
 }
 
 }  // namespace portalens

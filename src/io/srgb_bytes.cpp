@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "io/bits.h"
-#include "io/srgb.h"
+#include "math/srgb.h"
 
 namespace portalens {
 namespace {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "io/bytes.h"
+#include "io/exr_matrix.h"
 
 namespace portalens {
 namespace {
@@ -187,7 +188,7 @@ Account read_account(ByteReader& reader, const Assignment& assignment) {
 /// A picture's header is written from these: they may say nothing but what is ours to say.
 void check_metadata(const Metadata& metadata) {
   for (const auto& [key, value] : metadata)
-    require_of_partial(key == "Software" || key.rfind("portalens:", 0) == 0,
+    require_of_partial(key == "Software" || key == matrix_entry || key.rfind("portalens:", 0) == 0,
                        "its description is not ours");
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,8 @@ struct Misplaced {
 /// What a reader fills and a person could edit. `compile` (world/compile.h) gives it meaning.
 struct Scene {
   std::filesystem::path file;
+  std::string digest;               ///< of the bytes of that file
+  std::optional<std::string> text;  ///< those bytes; a reader keeps none of a long file
   Table camera, film, sampler, physics, shading, environment;
   std::vector<Table> materials;
   std::vector<Table> lights;

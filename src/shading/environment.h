@@ -12,8 +12,11 @@ namespace portalens {
 struct Environment {
   Rgb color{0.2, 0.3, 0.5};
   std::shared_ptr<const Image> image;  ///< in place of the colour, if there is one
+  Rgb scale{1, 1, 1};                  ///< by which the image is multiplied
   double rotation = 0.0;               ///< degrees, right-handed about +y
 
+  /// Keys color, image and rotation, and intensity, by which either is multiplied; of an image the
+  /// colour scales the channels.
   static Environment from(Parameters& parameters, const ImageLoader& load);
   /// @param direction  unit vector towards the sky
   [[nodiscard]] Rgb radiance(Vec3d direction) const;

@@ -1,8 +1,14 @@
 #include "shading/texture.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
+
+#include "core/words.h"
+#include "math/srgb.h"
 
 namespace portalens {
 namespace {
@@ -113,11 +119,33 @@ Rgb brightest_sum(const Texture& one, const Texture& other) {
   return std::visit(BrightestSum{}, one, other);
 }
 
+namespace {
+
+/// A colour as the web writes it, `#ff8000`, is no file: tells it as numbers.
+/// @return whether it is one
+bool refuse_hexadecimal(Parameters& parameters, std::string_view key, const std::string& text) {
+  constexpr std::string_view digits = "0123456789abcdefABCDEF";
+  if (text.size() != 7 || text[0] != '#' || text.find_first_not_of(digits, 1) != std::string::npos)
+    return false;
+  std::string numbers;
+  for (std::size_t i = 1; i < 7; i += 2) {
+    const int byte = std::stoi(text.substr(i, 2), nullptr, 16);
+    numbers += fmt::format("{}{:.3g}", i > 1 ? ", " : "",
+                           linear_from_srgb(static_cast<float>(byte) / 255.0f));
+  }
+  parameters.fault(key, fmt::format("{} is in sRGB, and colours are linear here", in_quotes(text)),
+                   fmt::format("give the list [{}]", numbers));
+  return true;
+}
+
+}  // namespace
+
 Texture texture_from(Parameters& parameters, std::string_view key, const Texture& fallback,
                      const ImageLoader& load) {
   const Value* value = parameters.raw(key);
   if (!value) return fallback;
   if (std::holds_alternative<std::string>(value->data)) {
+    if (refuse_hexadecimal(parameters, key, std::get<std::string>(value->data))) return fallback;
     std::shared_ptr<const Image> image = load(parameters.text(key), value->where);
     if (!image) return fallback;
     return Picture{std::move(image)};

@@ -22,6 +22,20 @@ Vec3d doubled_area(const std::vector<Vec3d>& vertices) {
   return sum;
 }
 
+constexpr const char* in_order_around =
+    "list the corners in order around the polygon, counter-clockwise seen from the front, so that "
+    "no edge crosses or touches another";
+
+/// Whether no corner lies beside the line through the first and the one farthest from it.
+bool on_one_line(const std::vector<Vec3d>& vertices, double longest) {
+  Vec3d farthest;
+  for (const Vec3d& v : vertices)
+    if (length(v - vertices[0]) > length(farthest)) farthest = v - vertices[0];
+  return std::all_of(vertices.begin(), vertices.end(), [&](Vec3d v) {
+    return length(cross(v - vertices[0], farthest)) <= coincident * longest * length(farthest);
+  });
+}
+
 }  // namespace
 
 double longest_edge(const std::vector<Vec3d>& vertices) {
@@ -48,8 +62,11 @@ std::optional<PolygonFault> polygon_fault(const std::vector<Vec3d>& vertices) {
       if (length(vertices[i] - vertices[j]) <= coincident * longest)
         return PolygonFault{fmt::format("vertices {} and {} coincide", j, i),
                             "name each corner once"};
-  if (!(length(doubled_area(vertices)) > coincident * longest * longest))
-    return PolygonFault{"vertices lie on one line", "give the corners of a polygon with an area"};
+  if (!(length(doubled_area(vertices)) > coincident * longest * longest)) {
+    if (on_one_line(vertices, longest))
+      return PolygonFault{"vertices lie on one line", "give the corners of a polygon with an area"};
+    return PolygonFault{"vertices do not form a simple polygon: its edges cross", in_order_around};
+  }
   const Frame frame = polygon_frame(vertices);
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const double height = std::fabs(dot(vertices[i] - frame.origin, frame.normal));
@@ -66,8 +83,7 @@ std::optional<PolygonFault> polygon_fault(const std::vector<Vec3d>& vertices) {
         fmt::format("vertices do not form a simple polygon: the edge from vertex {} to {} meets "
                     "that from {} to {}",
                     met->first, next(met->first), met->second, next(met->second)),
-        "list the corners in order around the polygon, counter-clockwise seen from the front, so "
-        "that no edge crosses or touches another"};
+        in_order_around};
   }
   return std::nullopt;
 }

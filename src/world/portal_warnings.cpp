@@ -34,7 +34,8 @@ void about_backs(const World& world, std::vector<std::string>& warnings) {
   if (portals.size() > 4) names += ", ...";
   warnings.push_back(
       fmt::format("the camera is behind every portal ({}), and their backs are open: none is seen "
-                  "straight; list their corners in the other order, or give back = \"portal\"",
+                  "straight; list their corners in the other order, or give back = \"portal\"; a "
+                  "camera that has gone through one stands elsewhere (docs/films.md)",
                   names));
 }
 

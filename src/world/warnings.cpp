@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,6 +12,7 @@
 
 #include "core/words.h"
 #include "gravity/bound_light.h"
+#include "world/hidden_warnings.h"
 #include "world/portal_warnings.h"
 #include "world/world.h"
 
@@ -43,6 +45,14 @@ bool within_horizon(const World& world, const Mass& mass) {
   return mass.horizon && length(world.camera.position - mass.center) <= mass.horizon_radius;
 }
 
+void about_nothing(const World& world, Warnings& warnings) {
+  const Space& space = world.space;
+  if (space.surfaces.shapes().empty() && space.masses.empty() && space.portals.portals().empty())
+    warnings.push_back(
+        "the scene has no object: only the environment is seen; add a [[sphere]], a [[mesh]] or "
+        "another of docs/scene-format.md");
+}
+
 void about_camera(const World& world, Warnings& warnings) {
   for (const Mass& mass : world.space.masses)
     if (within_horizon(world, mass))
@@ -57,9 +67,10 @@ void about_materials(const World& world, Warnings& warnings) {
     if (most > 1.0)
       warnings.push_back(
           fmt::format("material {} gives back more light than it gets: diffuse + reflective "
-                      "reaches {:.4g}; lower "
-                      "one of them (a metal has a diffuse of 0)",
-                      in_quotes(material.name), most));
+                      "reaches {:.4g}; {}",
+                      in_quotes(material.name), most,
+                      most > 2.0 ? "colours go from 0 to 1, not to 255"
+                                 : "lower one of them (a metal has a diffuse of 0)"));
   }
 }
 
@@ -135,10 +146,24 @@ void about_hidden_bodies(const World& world, Warnings& warnings) {
   }
 }
 
+/// How large a shape is: the diagonal of its box.
+double extent_of(const Shape& shape) {
+  const Box box = std::visit([](const auto& one) { return one.bounds(); }, shape);
+  return length(box.high - box.low);
+}
+
+/// A picture on a wall, not one of two equal surfaces in one place.
+bool hangs_on(const Shape& seen, const Shape& hidden) {
+  constexpr double clearly = 0.999;
+  return extent_of(seen) < clearly * extent_of(hidden);
+}
+
 /// What lies in one plane and shares an area.
-void about_flush_faces(const World& world, Warnings& warnings) {
+/// @param meant  whether to tell of what hangs on something larger, or of all other pairs
+void about_flush_faces(const World& world, bool meant, Warnings& told_ones) {
   const auto portals = world.space.portals.portals();
-  const std::size_t shape_count = world.space.surfaces.shapes().size();
+  const auto& shapes = world.space.surfaces.shapes();
+  const std::size_t shape_count = shapes.size();
   const auto name = [&](std::uint32_t object) {
     return in_quotes(object < shape_count ? world.appearance.bodies[object].name
                                           : portals[object - shape_count].name);
@@ -148,6 +173,7 @@ void about_flush_faces(const World& world, Warnings& warnings) {
   const auto pairs = world.space.surfaces.flush().overlaps(max_pairs);
   for (const auto& [seen, hidden] : pairs) {
     std::string told = fmt::format("{} lies in the plane of {}: ", name(seen), name(hidden));
+    bool hangs = false;
     if (hidden >= shape_count) {
       const Portal &a = portals[seen - shape_count], &b = portals[hidden - shape_count];
       const bool one_way = dot(a.frame.normal, b.frame.normal) > 0.0;
@@ -158,15 +184,17 @@ void about_flush_faces(const World& world, Warnings& warnings) {
     } else if (seen == hidden) {
       told = fmt::format("triangles of {} lie on each other: the later ones are seen", name(seen));
     } else if (seen >= shape_count) {
+      hangs = true;
       told += fmt::format("where it is met, {} is not", name(hidden));
     } else {
+      hangs = hangs_on(shapes[seen], shapes[hidden]);
       told += fmt::format("where both are, {} is seen", name(seen));
     }
-    if (found++ < max_told) warnings.push_back(std::move(told));
+    if (hangs == meant && found++ < max_told) told_ones.push_back(std::move(told));
   }
   if (found > max_told)
-    warnings.push_back(fmt::format("{}{} more pairs lie in one plane and overlap",
-                                   pairs.size() < max_pairs ? "" : "at least ", found - max_told));
+    told_ones.push_back(fmt::format("{}{} more pairs lie in one plane and overlap",
+                                    pairs.size() < max_pairs ? "" : "at least ", found - max_told));
 }
 
 /// At some place of it: a texture may be black there.
@@ -190,7 +218,8 @@ constexpr double meant_to_light = 0.3;
 
 void about_light(const World& world, Warnings& warnings) {
   const Appearance& look = world.appearance;
-  const bool dark_sky = !look.environment.image && look.environment.color == Rgb{};
+  const Environment& sky = look.environment;
+  const bool dark_sky = (sky.image ? sky.scale : sky.color) == Rgb{};
   if (look.lights.empty() && dark_sky && look.limits.ambient == Rgb{})
     warnings.push_back("nothing gives light: the picture will be black");
   else if (look.lights.empty() && max_component(look.limits.ambient) < meant_to_light &&
@@ -203,10 +232,48 @@ void about_light(const World& world, Warnings& warnings) {
         look.limits.ambient.x, look.limits.ambient.y, look.limits.ambient.z));
 }
 
+/// Whoever thinks in radians asks for a view of half a degree.
+void about_narrow_view(const World& world, std::vector<std::string>& remarks) {
+  constexpr double half_a_turn = std::numbers::pi;
+  const Camera& camera = world.camera;
+  if (camera.projection == Projection::perspective && camera.fov < half_a_turn)
+    remarks.push_back(
+        fmt::format("the camera's fov is {:.4g} degrees; if that was meant in radians, "
+                    "it is {:.4g}",
+                    camera.fov, camera.fov * 180.0 / std::numbers::pi));
+}
+
+/// What the end of a mass's influence takes from the turning of light: of a straight line past it
+/// at distance b, 2 m/b (1 - sqrt(1 - b²/R²)); all of it from b = R on.
+void about_cut_pulls(const World& world, std::vector<std::string>& remarks) {
+  constexpr double noticed = 0.01;  // radians
+  constexpr double degrees = 180.0 / std::numbers::pi;
+  std::size_t found = 0;
+  for (const Mass& mass : world.space.masses) {
+    if (!std::isfinite(mass.influence)) continue;
+    const double m =
+        world.space.medium.far_weight * gravitational_radius(mass.gm, world.space.physics.c);
+    const double at_end = 2.0 * m / mass.influence;
+    if (!(at_end > noticed) || ++found > max_told) continue;
+    const double at_half = 2.0 * at_end * (1.0 - std::sqrt(0.75));
+    remarks.push_back(fmt::format(
+        "the pull of {} ends at {:.4g}, its radius of influence (physics.min_force): light that "
+        "passes there turns by {:.3g} degrees less than by a pull without end, at half of that by "
+        "{:.3g}; a smaller min_force takes the end further out, 0 away",
+        in_quotes(mass.name), mass.influence, degrees * at_end, degrees * at_half));
+  }
+  if (found > max_told)
+    remarks.push_back(fmt::format("the pulls of {} more masses end likewise", found - max_told));
+}
+
 }  // namespace
 
 std::vector<std::string> remarks_about(const World& world) {
   std::vector<std::string> remarks;
+  about_cut_pulls(world, remarks);
+  about_flush_faces(world, true, remarks);
+  remark_on_hidden_quads(world, remarks);
+  about_narrow_view(world, remarks);
   for (const Mass& mass : world.space.masses) {
     const double distance = length(world.camera.position - mass.center);
     if (within_horizon(world, mass) || !std::isfinite(mass.influence)) continue;
@@ -220,13 +287,15 @@ std::vector<std::string> remarks_about(const World& world) {
 
 std::vector<std::string> warnings_about(const World& world) {
   Warnings warnings;
+  about_nothing(world, warnings);
   about_camera(world, warnings);
   about_materials(world, warnings);
   about_masses(world, warnings);
   about_bound_light(world, warnings);
   about_hidden_bodies(world, warnings);
-  about_flush_faces(world, warnings);
+  about_flush_faces(world, false, warnings);
   warn_about_portals(world, warnings);
+  warn_of_walled_up_portals(world, warnings);
   about_light(world, warnings);
   return warnings;
 }

@@ -2,9 +2,11 @@
 /// What the pages of docs/ tell a reader to type works as it is written.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <regex>
 #include <sstream>
 
+#include "support/pictures.h"
 #include "support/run_program.h"
 
 namespace portalens {
@@ -71,9 +73,46 @@ TEST_P(Page, ItsCommandsWork) {
   EXPECT_GT(run, 0);
 }
 
+/// The blocks of a page that are loops, without their indentation.
+std::vector<std::string> loops_of(const std::string& text) {
+  std::vector<std::string> loops;
+  std::string block;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("    ")) {
+      block += line.substr(4) + '\n';
+      continue;
+    }
+    if (!block.empty()) block.pop_back();  // the end of its last line
+    if (block.find("for i in") != std::string::npos) loops.push_back(block);
+    block.clear();
+  }
+  return loops;
+}
+
+TEST(Films, TheirLoopsTakeEveryPicture) {
+  const SceneFolder folder;
+  furnish(folder);
+  for (std::string loop : loops_of(page("films.md"))) {
+    loop =
+        std::regex_replace(loop, std::regex("--width 320 --samples 4"), "--width 16 --samples 1");
+    const Outcome outcome =
+        run_shell(folder.path(), "export PATH=\"$PWD/bin:$PATH\"; set -e\n" + loop);
+    EXPECT_EQ(outcome.code, 0) << loop << outcome.errors;
+  }
+  for (const char* name :
+       {"walk-000", "walk-024", "door-000", "door-033", "door-034", "door-042"}) {
+    const Image image = picture_in(folder, std::string("frames/") + name + ".png");
+    ASSERT_FALSE(image.pixels.empty()) << name;
+    // From within a wall, or behind all of them, one would see a single colour.
+    const auto [least, most] = std::minmax_element(image.pixels.begin(), image.pixels.end());
+    EXPECT_GT(*most - *least, 0.1f) << name;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Of, Page,
-                         testing::Values("checkpoints.md", "drawing.md", "scene-files.md",
-                                         "see-why.md"),
+                         testing::Values("checkpoints.md", "drawing.md", "films.md",
+                                         "scene-files.md", "see-why.md"),
                          [](const auto& tested) {
                            const std::string name = tested.param;
                            return std::regex_replace(name, std::regex("[^a-z]"), "_");

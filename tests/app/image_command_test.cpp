@@ -6,9 +6,13 @@
 #include <nlohmann/json.hpp>
 
 #include "app/false_color.h"
+#include "app/layer_picture.h"
+#include "app/report.h"
+#include "io/exr_texts.h"
 #include "io/image.h"
 #include "support/pictures.h"
 #include "support/run_program.h"
+#include "support/tiny_scene.h"
 
 namespace portalens {
 namespace {
@@ -179,6 +183,67 @@ TEST(ShowLayer, FaultsAreTold) {
     EXPECT_FALSE(outcome.errors.empty());
   }
   EXPECT_EQ(folder.size(), 2u);
+}
+
+TEST(ImageCommand, DevelopsAsTheHeaderOfAnExrAsks) {
+  const SceneFolder folder;
+  folder.write("tiny.toml", tiny);
+  const auto run = [&](const std::vector<std::string>& words) {
+    const Outcome outcome = run_portalens(folder.path(), words);
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  };
+  const std::vector<std::string> manner = {"--exposure", "-2", "--tone", "filmic"};
+  std::vector<std::string> light = {"render", "tiny.toml", "-o", "dark.exr"}, shown = light;
+  shown[3] = "shown.png";
+  for (auto* words : {&light, &shown}) {
+    words->insert(words->end(), manner.begin(), manner.end());
+    run(*words);
+  }
+  run({"image", "dark.exr", "-o", "same.png"});
+  EXPECT_EQ(folder.read("same.png"), folder.read("shown.png"));
+  run({"image", "dark.exr", "-o", "linear.png", "--exposure", "0", "--tone", "linear"});
+  run({"render", "tiny.toml", "-o", "plain.png"});
+  EXPECT_EQ(folder.read("linear.png"), folder.read("plain.png"));
+}
+
+TEST(ImageCommand, FromExrToExrKeepsLayersAndHeader) {
+  const SceneFolder folder;
+  folder.write("tiny.toml", tiny);
+  const auto run = [&](const std::vector<std::string>& words) {
+    const Outcome outcome = run_portalens(folder.path(), words);
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  };
+  run({"render", "tiny.toml", "--layers", "all", "--exposure", "-2"});
+  run({"image", "tiny.exr", "-o", "copy.exr"});
+  EXPECT_EQ(folder.read("copy.exr"), folder.read("tiny.exr"));
+  run({"image", "tiny.exr", "-o", "bright.exr", "--exposure", "1"});
+  Faults faults;
+  const auto before = read_channels(folder.path() / "tiny.exr", {}, faults);
+  const auto after = read_channels(folder.path() / "bright.exr", {}, faults);
+  ASSERT_TRUE(before && after);
+  ASSERT_EQ(after->channels.size(), before->channels.size());
+  for (std::size_t c = 0; c < after->channels.size(); ++c) {
+    const bool color = std::string("RGB").find(after->channels[c].name) != std::string::npos;
+    std::vector<float> expected = before->channels[c].values;
+    for (float& value : expected) value *= color ? 2.0f : 1.0f;
+    EXPECT_EQ(after->channels[c].values, expected) << after->channels[c].name;
+  }
+  for (const auto& [name, text] : read_exr_texts(folder.path() / "bright.exr"))
+    EXPECT_NE(name, "portalens:exposure") << "it would be asked for twice";
+}
+
+TEST(ImageCommand, TheLegendOfObjectsHasTheirNames) {
+  std::map<int, std::string> names =
+      listed_names("1 ball\n2 the wall\nnonsense\n3\n99999999999 far\n");
+  EXPECT_EQ(names, (std::map<int, std::string>{{1, "ball"}, {2, "the wall"}}));
+  const ChannelPicture picture{4, 64, {{"object.X", std::vector<float>(256, 2.0f)}}};
+  LayerStyle style;
+  const Image numbered = layer_picture(picture, "object", style);
+  style.objects = names;
+  const Image named = layer_picture(picture, "object", style);
+  EXPECT_NE(named.pixels, numbered.pixels);
+  style.objects[2] = "a name of more letters than stand in a narrow legend";
+  EXPECT_GT(layer_picture(picture, "object", style).width, named.width);
 }
 
 }  // namespace

@@ -34,6 +34,50 @@ TEST(Program, TeachesWhatItDoes) {
   EXPECT_EQ(version.output, "portalens " + std::string(api::version) + "\n");
 }
 
+TEST(Program, WhatIsMistypedIsToldInWordsThatHelp) {
+  const SceneFolder folder;
+  folder.write("tiny.toml", tiny);
+  const std::vector<std::pair<std::vector<std::string>, std::string>> wrong = {
+      {{"render", "tiny.toml", "--width", "8x6"}, "--width: '8x6' is not a whole number; write"},
+      {{"render", "tiny.toml", "--width"}, "--width lacks values; write --width INT"},
+      {{"trace", "tiny.toml", "--ray", "1", "2", "3", "4", "5"},
+       "--ray has 5 values, not 6; write --ray X Y Z DX DY DZ"},
+      {{"render", "tiny.toml", "--resume", "--restart"},
+       "exclude each other; leave one of them out"},
+      {{"field", "tiny.toml", "--at", "0", "0", "0", "--cut", "1"},
+       "--cut is of use only with --plane; give that, too"},
+      {{"render", "tiny.toml", "--layers", "dpeth"}, "unknown 'dpeth'; did you mean depth?"},
+      {{"render", "tiny.toml", "--set", "sphere.ball.radius=-1"}, "--set sphere.ball.radius=-1: "},
+      {{"render", "tiny.toml", "--set", "flim.width=3", "--set", "sphere.bal.radius=2"},
+       "--set sphere.bal.radius=2: no [[sphere]] is named 'bal'"},
+      {{"render", "tiny.toml", "--set", "flim.width=3", "--set", "sphere.bal.radius=2"},
+       "--set flim.width=3: unknown section 'flim'; did you mean film?"},
+      {{"render", "tiny.toml", "--exposure", "much"}, "--exposure: "},
+      {{"render", "tiny.toml", "--width", "99999999999"}, "'99999999999' is not in range"},
+      {{"render", "tiny.toml", "--crop", "1", "2"}, "write --crop X0 Y0 X1 Y1"},
+      {{"render", std::string(50000, 'a') + ".toml", "--width", std::string(50000, 'x')},
+       "is not a whole number"}};
+  for (const auto& [words, told] : wrong) {
+    const Outcome outcome = run_portalens(folder.path(), words);
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.errors.find(told), std::string::npos) << outcome.errors;
+  }
+}
+
+TEST(Program, ASceneMayBeNamedLast) {
+  const SceneFolder folder;
+  folder.write("tiny.toml", tiny);
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"render", "--crop", "0", "0", "3", "3", "tiny.toml"},
+        {"render", "-o", "a.exr", "--layers", "depth", "tiny.toml"},
+        {"trace", "--ray", "0", "0", "5", "0", "0", "-1", "tiny.toml"},
+        {"trace", "--pixel", "1", "1", "tiny.toml"},
+        {"field", "--at", "0", "0", "3", "tiny.toml"}}) {
+    const Outcome outcome = run_portalens(folder.path(), words);
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  }
+}
+
 TEST(Program, AFaultOfTheCommandLineExitsWith2AndSaysWhy) {
   const SceneFolder folder;
   folder.write("tiny.toml", tiny);
@@ -80,7 +124,8 @@ TEST(Program, AWrongWordIsNamedAndTheRightOneToo) {
       {{"check", "tiny.toml", "b.toml"},
        "command line: nothing is known to do with 'b.toml'; try portalens check --help"},
       {{"render", "tiny.toml", "--width", "-5"}, "'width' is -5; give a whole number from 1 to "},
-      {{"render", "tiny.toml", "--width", "wide"}, "--width = wide; try portalens render --help"},
+      {{"render", "tiny.toml", "--width", "wide"},
+       "--width: 'wide' is not a whole number; write --width INT"},
       {{"trace", "tiny.toml"}, "--ray, --rays or --pixel is required; try portalens trace --help"}};
   for (const auto& [words, told] : cases) {
     const Outcome outcome = run_portalens(folder.path(), words);

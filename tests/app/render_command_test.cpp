@@ -5,8 +5,13 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 
+#include "io/exr_matrix.h"
+#include "io/exr_texts.h"
+#include "math/vec3.h"
 #include "support/pictures.h"
 #include "support/run_program.h"
 #include "support/tiny_scene.h"
@@ -48,6 +53,36 @@ TEST(Render, APngIsDevelopedAnExrKeepsTheLightAndPartsKeepBoth) {
   const Outcome refused = run_portalens(folder.path(), {"render", "tiny.toml", "--tone", "fimlic"});
   EXPECT_EQ(refused.code, 2);
   EXPECT_NE(refused.errors.find("did you mean filmic?"), std::string::npos) << refused.errors;
+}
+
+/// What the matrix makes of a place: x to the right, y up, z into the depth.
+Vec3d seen_by(const ExrMatrix& matrix, Vec3d place) {
+  const double row[] = {place.x, place.y, place.z, 1.0};
+  double seen[3] = {};
+  for (std::size_t c = 0; c < 3; ++c)
+    for (std::size_t r = 0; r < 4; ++r) seen[c] += row[r] * double{matrix[4 * r + c]};
+  return {seen[0], seen[1], seen[2]};
+}
+
+TEST(Render, AnExrTellsOtherProgramsWhereTheCameraStood) {
+  const SceneFolder folder;
+  folder.write("tiny.toml", std::string(tiny));
+  const Outcome outcome =
+      run_portalens(folder.path(), {"render", "tiny.toml", "-o", "a.exr", "--set",
+                                    "camera.position=[3, 1, 4]", "--set", "camera.fov=90"});
+  EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  const Outcome told = run_shell(folder.path(), "exrheader a.exr");
+  EXPECT_NE(told.output.find("worldToCamera (type m44f)"), std::string::npos) << told.output;
+  std::optional<ExrMatrix> matrix;
+  for (const auto& [name, text] : read_exr_texts(folder.path() / "a.exr"))
+    if (name == matrix_entry) matrix = matrix_in(text);
+  ASSERT_TRUE(matrix);
+  const Vec3d middle = seen_by(*matrix, {0, 0, 0});
+  EXPECT_NEAR(middle.x, 0.0, 1e-6);
+  EXPECT_NEAR(middle.y, 0.0, 1e-6);
+  EXPECT_NEAR(middle.z, std::sqrt(26.0), 1e-6);
+  EXPECT_GT(seen_by(*matrix, {0, 1, 0}).y, 0.9) << "up is up";
+  EXPECT_GT(seen_by(*matrix, {1, 0, 0}).x, 0.5) << "and right is right";
 }
 
 TEST(Render, LayersAreWrittenToAnExrUnasked) {

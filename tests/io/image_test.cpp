@@ -11,8 +11,8 @@
 #include <span>
 
 #include "io/image_bytes.h"
-#include "io/srgb.h"
 #include "io/srgb_bytes.h"
+#include "math/srgb.h"
 #include "support/random.h"
 #include "support/scale.h"
 #include "support/temporary_folder.h"
@@ -221,9 +221,10 @@ TEST(ImageFile, TheKindIsToldByTheBytesNotByTheName) {
   const auto exr = foreign(folder, "a.exr", 3, OIIO::TypeDesc::FLOAT, 0.5F);
   std::filesystem::rename(exr, folder.path() / "a.png");
   EXPECT_TRUE(read(folder.path() / "a.png"));
-  for (const char* name : {"a.tif", "a.bmp", "a.ppm"}) {
-    EXPECT_NE(refusal(foreign(folder, name, 3, OIIO::TypeDesc::UINT8, 0.5F)).find("no known kind"),
-              std::string::npos);
+  for (const auto& [name, kind] :
+       {std::pair{"a.tif", "is TIFF; EXR"}, {"a.bmp", "is BMP; EXR"}, {"a.ppm", "is PPM; EXR"}}) {
+    const auto told = refusal(foreign(folder, name, 3, OIIO::TypeDesc::UINT8, 0.5F));
+    EXPECT_NE(told.find(kind), std::string::npos) << told;
   }
   EXPECT_NE(refusal(folder.write("empty.png", "")).find("no known kind"), std::string::npos);
 }
@@ -323,6 +324,25 @@ TEST(ImageFile, WhatCannotBeWrittenIsToldBeforehand) {
   EXPECT_THROW(write_image(folder.path() / "a.png", width, height, channels, {}), WorkError);
   EXPECT_THROW(write_image(folder.path() / "a.exr", width, 2 * height, channels, {}), WorkError);
   EXPECT_THROW(write_image(folder.path() / "a.exr", 0, 0, {}, {}), WorkError);
+}
+
+TEST(ImageFile, KindsThatAreNotReadAreNamed) {
+  using namespace std::string_literals;
+  const TemporaryFolder folder;
+  for (const auto& [bytes, kind] : {std::pair{"BM\x36\0\0\0"s, "is BMP; "},
+                                    {"II*\0\x08"s, "is TIFF; "},
+                                    {"RIFF\x24\0\0\0WEBPVP8 "s, "is WebP; "},
+                                    {"\0\0\x02\0 TRUEVISION-XFILE.\0"s, "is TGA; "},
+                                    {"nothing"s, "is of no known kind; "},
+                                    {"B"s, "is of no known kind; "}}) {
+    Faults faults;
+    EXPECT_FALSE(read_image(folder.write("picture", bytes), {}, faults));
+    try {
+      faults.raise();
+    } catch (const SceneError& error) {
+      EXPECT_NE(std::string(error.what()).find(kind), std::string::npos) << error.what();
+    }
+  }
 }
 
 }  // namespace

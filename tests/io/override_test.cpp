@@ -64,7 +64,7 @@ TEST(Override, SetsValuesOfWhatHasAName) {
   Faults faults;
   override_value(scene, "material.floor.diffuse=[1.0, 0.0, 0.0]", faults);
   override_value(scene, "sphere.sphere0.radius=2.5", faults);
-  override_value(scene, "sphere.a.b.radius=3.5", faults);
+  override_value(scene, "sphere.1.radius=3.5", faults);
   override_value(scene, "sphere.sphere2.radius=4.5", faults);
   override_value(scene, "portal.blue.tint=[0.5, 1.0, 1.0]", faults);
   override_value(scene, "light.light0.intensity=5.5", faults);

@@ -10,6 +10,8 @@
 #include <string>
 
 #include "io/checksums.h"
+#include "io/exr_matrix.h"
+#include "io/exr_texts.h"
 #include "io/image_encode.h"
 #include "support/scene_folder.h"
 
@@ -42,7 +44,8 @@ struct Sample {
   std::vector<Channel> channels;
   std::vector<ChannelView> views;
   Metadata metadata{{"Comment", "without a library"},
-                    {"portalens:a name of more than 31 letters", "is a long one"}};
+                    {"portalens:a name of more than 31 letters", "is a long one"},
+                    {"worldToCamera", "1 0 0 0 0 0.25 -1e-07 0 0 0.5 3 0 -4 5 6.1 1"}};
 
   Sample() {
     for (const char* name : {"R", "G", "B", "depth.Z"}) {
@@ -80,6 +83,20 @@ TEST(PlainPictures, AnExrIsReadBackToTheBit) {
     ASSERT_NE(found, back->channels.end()) << channel.name;
     EXPECT_EQ(found->values, channel.values) << channel.name;
   }
+}
+
+TEST(PlainPictures, TheHeaderOfAnExrIsReadBackWhoeverWroteIt) {
+  const SceneFolder folder;
+  const Sample sample;
+  for (const auto& bytes :
+       {plain_exr(sample.picture("a.exr")), encode_exr(sample.picture("a.exr"))}) {
+    const Metadata back = read_exr_texts(folder.write("a.exr", text_of(bytes)));
+    for (const auto& entry : sample.metadata)
+      EXPECT_NE(std::find(back.begin(), back.end(), entry), back.end()) << entry.first;
+  }
+  EXPECT_FALSE(matrix_in("1 2 3"));
+  EXPECT_FALSE(matrix_in("1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1 0"));
+  EXPECT_FALSE(matrix_in("1 0 0 0 0 one 0 0 0 0 1 0 0 0 0 1"));
 }
 
 TEST(PlainPictures, APngIsReadBackAsTheLibrarysOwnIs) {

@@ -245,7 +245,9 @@ TEST(Mesh, EveryFaultIsToldWithItsLine) {
       {start + "curvy 0 1 1 2\nf 1 2 3\n", 4, "unknown statement 'curvy'"},
       {std::string("\xff\xfev\0 \0", 6), 0, "save it as UTF-8"},
       {std::string("\0v\0 \0001", 6), 0, "save it as UTF-8"},
-      {std::string("\x89PNG\r\n\x1a\n\0\0", 10), 1, "unknown statement"},
+      {std::string("\x89PNG\r\n\x1a\n\0\0", 10), 0, "this is no OBJ mesh"},
+      {"[camera]\nposition = [0, 0, 1]\nv 1 2 3\n", 0, "this is no OBJ mesh"},
+      {"vvv 0 0 0\n" + start + "f 1 2 3\n", 1, "unknown statement 'vvv'"},
   };
   for (const Case& one : cases) {
     const auto faults = faults_of(one.text);

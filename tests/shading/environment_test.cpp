@@ -4,8 +4,11 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
+#include <string>
 
+#include "io/read_scene.h"
 #include "support/random.h"
 
 namespace portalens {
@@ -31,6 +34,30 @@ TEST(Environment, HasItsCentreAtMinusZ) {
   const Rgb center = ramp().radiance({0, 0, -1});
   EXPECT_NEAR(center.x, 0.5, pixel);
   EXPECT_NEAR(center.y, 0.5, pixel);
+}
+
+TEST(Environment, ColorAndIntensityMultiplyThePictureAndIntensityTheColor) {
+  Environment sky = ramp();
+  const Rgb before = sky.radiance({0, 0, -1});
+  sky.scale = {2.0, 0.5, 1.0};
+  const Rgb after = sky.radiance({0, 0, -1});
+  EXPECT_EQ(after, (Rgb{2.0 * before.x, 0.5 * before.y, before.z}));
+
+  const auto read = [](const std::string& text) {
+    const Scene scene = read_scene_text("[environment]\n" + text, "a.toml");
+    Faults faults;
+    Parameters parameters(scene.environment, faults);
+    const ImageLoader load = [](const std::string&, const Location&) {
+      return std::make_shared<const Image>(1, 1, 3);
+    };
+    const Environment environment = Environment::from(parameters, load);
+    parameters.finish();
+    faults.raise();
+    return environment;
+  };
+  EXPECT_EQ(read("color = [0.25, 0.5, 1]\nintensity = 2\n").color, (Rgb{0.5, 1, 2}));
+  EXPECT_EQ(read("image = \"a\"\ncolor = [0.25, 0.5, 1]\nintensity = 2\n").scale, (Rgb{0.5, 1, 2}));
+  EXPECT_EQ(read("image = \"a\"\n").scale, (Rgb{1, 1, 1}));
 }
 
 TEST(Environment, HasPlusXToTheRightAndPlusYOnTop) {

@@ -40,7 +40,8 @@ TEST(Compile, AnEmptySceneHasTheDefaultsOfTheFormat) {
   EXPECT_EQ(limits.ambient, (Rgb{0.05, 0.05, 0.05}));
   EXPECT_EQ(world.appearance.environment.color, (Rgb{0.2, 0.3, 0.5}));
   EXPECT_TRUE(world.space.surfaces.shapes().empty());
-  EXPECT_TRUE(world.warnings.empty());
+  ASSERT_EQ(world.warnings.size(), 1u);
+  EXPECT_NE(world.warnings[0].find("the scene has no object"), std::string::npos);
 }
 
 TEST(Compile, WhatTheFileSaysTakesThePlaceOfTheDefaults) {

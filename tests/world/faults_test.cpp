@@ -48,6 +48,8 @@ TEST(Faults, OfCameras) {
       {at + "up = [0,0,0]\n", 4, "no direction", "[0, 1, 0]"},
       {at + "fov = 180\n", 4, "'fov'", "179.9"},
       {at + "size = 2\n", 4, "unknown key 'size'", ""},
+      {"[camera]\npositoin = [0,0,9]\nlook_at = [0,0,0]\n", 2, "unknown key 'positoin'",
+       "position"},
       {at + "type = \"orthographic\"\n", 1, "no 'size'", "number greater than 0"},
       {at + "type = \"fisheye\"\n", 4, "fisheye", "perspective, orthographic"},
   });
@@ -78,6 +80,7 @@ TEST(Faults, OfSections) {
       {"[shading]\nmax_bounces = 2.5\n", 2, "'max_bounces'", "whole number"},
       {"[shading]\nmax_depth = 2\n", 2, "unknown key 'max_depth'", "max_bounces"},
       {"[environment]\ncolor = [0, -1, 0]\n", 2, "'color'", "at least 0"},
+      {"[environment]\nstrength = 3\n", 2, "unknown key 'strength'", "intensity"},
       {"[environment]\nrotation = 3\n", 2, "can't be rotated", "image"},
       {"[environment]\nimage = \"no.exr\"\n", 2, "no.exr", ""},
   });
@@ -89,6 +92,7 @@ TEST(Faults, OfMaterials) {
       {"[[material]]\ndiffuse = 3\n", 2, "neither a colour nor a texture", "checker"},
       {"[[material]]\ndiffuse = [1, 2]\n", 2, "'diffuse'", "three numbers"},
       {"[[material]]\ndiffuse = \"no.png\"\n", 2, "no.png", ""},
+      {"[[material]]\ndiffuse = \"#ff8000\"\n", 2, "'#ff8000' is in sRGB", "[1, 0.216, 0]"},
       {"[[material]]\ndiffuse = { checker = [[0,0,0]] }\n", 2, "'checker'", "2 points"},
       {"[[material]]\ndiffuse = { checker = [[0,0,0],[1,1,1]], scale = 2 }\n", 2,
        "unknown key 'scale'", "size"},
@@ -128,6 +132,7 @@ TEST(Faults, OfPortals) {
        "counter-clockwise"},
       {a("[[0,0,0], [2,0,0], [2,0,0], [0,2,0]]"), 4, "vertices 1 and 2 coincide", "once"},
       {a("[[0,0,0], [1,0,0], [2,0,0]]"), 4, "on one line", "area"},
+      {a("[[0,0,0], [2,2,0], [2,0,0], [0,2,0]]"), 4, "its edges cross", "in order around"},
       {a("[[0,0,0], [2,0,0], [2,3,0], [0,3,0]]"), 8, "not congruent", "same size"},
       {a("[[0,0,0], [2,0,0], [0,2,0]]"), 8, "different numbers of vertices", ""},
       {portal("a", "a", square), 3, "its own pair", "another"},

@@ -53,6 +53,9 @@ TEST(Files, NegativePixelsBecomeBlackAndAreToldOnce) {
 image = "p.exr"
 [[material]]
 diffuse = "p.exr"
+[[mass]]
+center = [0, 0, 0]
+mass = 1
 )");
   EXPECT_EQ(world.appearance.environment.image->pixels,
             (std::vector<float>{0.25f, 0.0f, 0.75f, 0.0f, 1.0f, 0.0f}));

@@ -98,18 +98,114 @@ std::string warnings_of(const std::string& scene) {
   return all;
 }
 
-TEST(Compile, WarnsOfWhatLiesInOnePlaneAndTellsWhatIsSeen) {
+std::string remarks_of(const std::string& scene) {
+  std::string all;
+  for (const std::string& remark : compiled(scene).remarks) all += remark + "\n";
+  return all;
+}
+
+TEST(Compile, RemarksOnWhatHangsOnSomethingLargerAndTellsWhatIsSeen) {
   using namespace test;
-  EXPECT_EQ(warnings_of(door_on_a_wall),
+  const std::string mirrored = mirror_on_a_wall + std::string("[shading]\nambient = [1, 1, 1]\n");
+  for (const std::string& sound :
+       {std::string(door_on_a_wall), mirrored, std::string(picture_on_a_wall),
+        std::string(pairs_back_to_back), std::string(pair_in_one_place)})
+    EXPECT_EQ(warnings_of(sound), "");
+  EXPECT_EQ(remarks_of(door_on_a_wall),
             "'a' lies in the plane of 'quad0': where it is met, 'quad0' is not\n"
             "'b' lies in the plane of 'quad1': where it is met, 'quad1' is not\n");
-  EXPECT_EQ(warnings_of(mirror_on_a_wall + std::string("[shading]\nambient = [1, 1, 1]\n")),
+  EXPECT_EQ(remarks_of(mirrored),
             "'mirror0' lies in the plane of 'quad1': where both are, 'mirror0' is seen\n");
   EXPECT_EQ(
-      warnings_of(picture_on_a_wall),
+      remarks_of(picture_on_a_wall),
       "'the picture' lies in the plane of 'the wall': where both are, 'the picture' is seen\n");
-  EXPECT_EQ(warnings_of(pairs_back_to_back), "");
-  EXPECT_EQ(warnings_of(pair_in_one_place), "");
+  EXPECT_EQ(remarks_of(pairs_back_to_back), "");
+  EXPECT_EQ(remarks_of(pair_in_one_place).find("plane"), std::string::npos);
+}
+
+TEST(Compile, WarnsOfTwoEqualSurfacesInOnePlace) {
+  const std::string quad =
+      "[[quad]]\nvertices = [[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]]\n";
+  EXPECT_NE(warnings_of(quad + quad)
+                .find("'quad1' lies in the plane of 'quad0': where both are, "
+                      "'quad1' is seen"),
+            std::string::npos)
+      << warnings_of(quad + quad);
+  EXPECT_EQ(remarks_of(quad + quad), "");
+}
+
+/// A wall in the plane z = 0 and a room before it, with a lamp in the camera's place.
+const char* const room =
+    "[camera]\nposition = [0, 0, 5]\nlook_at = [0, 0, 0]\n"
+    "[[light]]\nposition = [0, 0, 5]\nintensity = [10, 10, 10]\n"
+    "[[quad]]\nname = \"wall\"\nvertices = [[-3, -3, 0], [3, -3, 0], [3, 3, 0], [-3, 3, 0]]\n";
+
+std::string door_at(double z) {
+  return "[[portal]]\nname = \"a\"\npair = \"b\"\ncenter = [0, 0, " + std::to_string(z) +
+         "]\nfacing = [0, 0, 1]\nup = [0, 1, 0]\nsize = [1, 2]\n"
+         "[[portal]]\nname = \"b\"\npair = \"a\"\ncenter = [9, 0, 0]\nfacing = [0, 0, 1]\n"
+         "up = [0, 1, 0]\nsize = [1, 2]\n";
+}
+
+TEST(Compile, WarnsOfASceneWithoutAnything) {
+  EXPECT_NE(warnings_of("# nothing yet\n").find("the scene has no object"), std::string::npos);
+  EXPECT_EQ(warnings_of(room).find("the scene has no object"), std::string::npos);
+}
+
+TEST(Compile, WarnsOfColoursFrom0To255) {
+  const std::string told =
+      warnings_of(room + std::string("[[material]]\nname = \"green\"\ndiffuse = [0, 255, 0]\n"));
+  EXPECT_NE(told.find("colours go from 0 to 1, not to 255"), std::string::npos) << told;
+}
+
+TEST(Compile, RemarksOnAViewThatMayBeInRadians) {
+  const auto view = [](const char* fov) {
+    return "[camera]\nposition = [0, 0, 5]\nlook_at = [0, 0, 0]\nfov = " + std::string(fov) +
+           "\n[[sphere]]\ncenter = [0, 0, 0]\nradius = 1\n";
+  };
+  EXPECT_EQ(remarks_of(view("0.8")),
+            "the camera's fov is 0.8 degrees; if that was meant in radians, it is 45.84\n");
+  EXPECT_EQ(remarks_of(view("8")), "");
+}
+
+TEST(Compile, WarnsOfADoorJustBehindItsWall) {
+  EXPECT_EQ(
+      warnings_of(room + door_at(-0.001)),
+      "'wall' lies 0.001 before the front of portal 'a': nothing gets through; put the portal "
+      "into that plane, or before it\n");
+  EXPECT_EQ(warnings_of(room + door_at(0.0)), "");
+  EXPECT_EQ(warnings_of(room + door_at(0.001)), "");
+  EXPECT_EQ(warnings_of(room + door_at(-1.0)), "") << "another room may lie there";
+}
+
+TEST(Compile, RemarksOnAPictureJustBehindItsWall) {
+  const auto picture_at = [](double z) {
+    const std::string at = ", " + std::to_string(z) + "]";
+    return "[[quad]]\nname = \"picture\"\nvertices = [[-1, -1" + at + ", [1, -1" + at + ", [1, 1" +
+           at + ", [-1, 1" + at + "]\n";
+  };
+  EXPECT_EQ(remarks_of(room + picture_at(-0.001)),
+            "'wall' lies 0.001 before 'picture' as the camera sees it, and hides it\n");
+  EXPECT_EQ(remarks_of(room + picture_at(0.001)), "");
+  EXPECT_EQ(remarks_of(room + picture_at(-1.0)), "");
+}
+
+TEST(Compile, RemarksOnPullsThatEndWhereTheyStillTurnLight) {
+  const auto hole = [](const char* least) {
+    return std::string("[physics]\nmin_force = ") + least +
+           "\nc = 1.0\n[camera]\nposition = [0, 0, 50]\nlook_at = [0, 0, 0]\n[[mass]]\nname = "
+           "\"hole\"\ncenter = [0, 0, 0]\nmass = 0.01\n"
+           "[environment]\ncolor = [1, 1, 1]\n";
+  };
+  // m = 0.01 and R = 1: 2 m / R = 0.02 rad, and 4 m / R (1 - sqrt(3/4)) = 0.00536 rad.
+  const std::string told = remarks_of(hole("0.01"));
+  EXPECT_NE(told.find("the pull of 'hole' ends at 1, its radius of influence (physics.min_force): "
+                      "light that passes there turns by 1.15 degrees less than by a pull without "
+                      "end, at half of that by 0.307;"),
+            std::string::npos)
+      << told;
+  EXPECT_EQ(remarks_of(hole("1e-4")), "") << "at R = 10 it is 0.002 rad";
+  EXPECT_EQ(remarks_of(hole("0.0")), "");
 }
 
 std::string masses_along(int count, double apart) {
