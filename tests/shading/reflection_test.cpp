@@ -110,8 +110,9 @@ TEST(Reflection, GivesBackWhatItsDistributionSays) {
 }
 
 TEST(Reflection, LosesWhatBouncesTwiceAsTheDocumentsSay) {
-  for (const auto& [roughness, share] :
+  for (const auto& [surface, share] :
        {std::pair{0.3, 0.99}, {0.5, 0.92}, {0.8, 0.55}, {1.0, 0.31}}) {
+    const double roughness = surface;
     const auto back = test::estimate(test::scaled(20000), [&](std::uint64_t i) {
       const auto r =
           reflect({0, 0, -1}, {0, 0, 1}, roughness, random_number(i, 0), random_number(i, 1));
