@@ -2,6 +2,8 @@
 /// Options of the command line whose value is one of a few names.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <map>
@@ -28,6 +30,17 @@ template <class Choice>
     return "unknown " + in_quotes(word) + "; " + suggestion_or_list(word, known);
   };
   return CLI::Validator(choose, "");
+}
+
+/// For `check`: takes a number from `low` to `high`; `nan` is none.
+[[nodiscard]] inline CLI::Validator number_within(double low, double high) {
+  const auto judge = [low, high](const std::string& word) -> std::string {
+    double number = 0.0;
+    const bool sound = CLI::detail::lexical_cast(word, number) && number >= low && number <= high;
+    return sound ? std::string{}
+                 : in_quotes(word) + " is no number from " + fmt::format("{:g} to {:g}", low, high);
+  };
+  return CLI::Validator(judge, "");
 }
 
 /// For `check`: takes one of the words; of another it tells them.

@@ -293,7 +293,10 @@ std::string describe_text(const Scene& scene, const World& world) {
   text += listed("lights", std::span<const Light>(world.appearance.lights),
                  [&](const Light& light) { return light_text(world.appearance, light); });
   const Environment& environment = world.appearance.environment;
-  line("environment", environment.image ? "an image" : place(environment.color));
+  line("environment", environment.image
+                          ? fmt::format("an image times {}, turned by {:g} degrees",
+                                        place(environment.scale), environment.rotation)
+                          : place(environment.color));
   const Metadata manner = manner_metadata(manner_of(world, {}));
   line("engine", engine_text(manner));
   line("photons", photon_mode_text(manner));

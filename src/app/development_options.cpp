@@ -42,13 +42,13 @@ std::array<CLI::Option*, 3> add_development_options(CLI::App& command, Developme
   for (std::size_t i = 0; i < tone_names.size(); ++i)
     tones.emplace(tone_names[i], static_cast<Tone>(i));
   return {command.add_option("--exposure", development.exposure, exposure_meaning)
-              ->check(CLI::Range(exposure_bounds.low, exposure_bounds.high))
+              ->check(number_within(exposure_bounds.low, exposure_bounds.high))
               ->type_name("STOPS"),
           command.add_option("--tone", development.tone, tone_meaning)
               ->transform(one_of(tones))
               ->type_name("NAME"),
           command.add_option("--white-balance", development.white_balance, white_balance_meaning)
-              ->check(CLI::Range(white_balance_bounds.low, white_balance_bounds.high))
+              ->check(number_within(white_balance_bounds.low, white_balance_bounds.high))
               ->type_name("KELVIN")};
 }
 

@@ -100,6 +100,7 @@ int draw(const DrawArguments& arguments) {
       arguments.output.value_or(stem_of(arguments.scene) + "-drawing.png");
   check_drawable(picture);
   const World world = compile_with_options(asked, arguments.scene);
+  check_not_an_input(picture, inputs_of(world, arguments.scene));
   const std::vector<NamedRay> rays = rays_of(world, arguments.rays, fan_axis(choice.from));
   const int threads = arguments.threads > 0 ? arguments.threads : available_threads();
   const std::vector<DrawnPath> paths = follow(world, rays, arguments.bounces, threads);
@@ -181,7 +182,7 @@ void add_view_options(CLI::App& command, DrawArguments& arguments) {
   command
       .add_option("--fov", arguments.fov,
                   "Its field of view across the height, degrees; by default all is seen")
-      ->check(CLI::Range(0.001, 179.0))
+      ->check(number_within(0.001, 179.0))
       ->type_name("DEGREES");
   command
       .add_option("--extent", arguments.extent,

@@ -73,8 +73,8 @@ Rgb from_srgb(double red, double green, double blue) {
 }
 
 /// Room for the picture, and a legend to its right.
-Image canvas(const Plane& plane, int legend = legend_width) {
-  return Image(plane.width + legend, std::max(plane.height, 6 * line_height), 3);
+Image canvas(const Plane& plane, int legend = legend_width, int lines = 6) {
+  return Image(plane.width + legend, std::max(plane.height, lines * line_height), 3);
 }
 
 /// How many pixels a legend with these names takes.
@@ -145,7 +145,7 @@ Image heat_picture(const Plane& plane, const ValueRange& range, double absent) {
 }
 
 Image number_picture(const Plane& plane, const std::vector<NumberName>& names) {
-  Image image = canvas(plane, width_for(names));
+  Image image = canvas(plane, width_for(names), static_cast<int>(names.size()) + 2);
   paint(image, plane,
         [](double value) { return number_color(static_cast<int>(std::lround(value))); });
   int y = line_height;

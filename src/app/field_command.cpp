@@ -13,6 +13,7 @@
 #include "app/drawing.h"
 #include "app/field_drawing.h"
 #include "app/field_report.h"
+#include "app/output.h"
 #include "app/scene_options.h"
 #include "render/parallel.h"
 
@@ -45,6 +46,7 @@ int draw(const FieldArguments& arguments) {
   check_drawable(arguments.output);
   const AskedScene asked = read_with_settings(arguments.scene);
   const World world = compile_with_options(asked, arguments.scene);
+  check_not_an_input(arguments.output, inputs_of(world, arguments.scene));
   write_drawing(arguments.output,
                 draw_field(world.space, plane_from(arguments, world.space), arguments.drawing));
   return exit_done;

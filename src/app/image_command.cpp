@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 
+#include "app/choices.h"
 #include "app/command.h"
 #include "app/development_options.h"
 #include "app/false_color.h"
@@ -83,12 +84,24 @@ std::vector<Channel> kept_channels(ChannelPicture picture, std::vector<Channel> 
   return kept;
 }
 
+/// What a header asks for, without what the options have done instead.
+Development left_of(Development asked, const ImageArguments& arguments) {
+  const auto& [exposure, tone, white_balance] = arguments.developing;
+  if (is_given(exposure)) asked.exposure = 0.0;
+  if (is_given(tone)) asked.tone = Tone::linear;
+  if (is_given(white_balance)) asked.white_balance.reset();
+  return asked;
+}
+
 /// All that an EXR holds, its colours developed as the options say.
 int develop_into_exr(const ImageArguments& arguments) {
   Metadata header = read_exr_texts(arguments.file);
   // What has been done to the light must not be asked for once more, nor made again without it.
-  if (std::any_of(arguments.developing.begin(), arguments.developing.end(), is_given))
+  if (std::any_of(arguments.developing.begin(), arguments.developing.end(), is_given)) {
+    const Development rest = left_of(development_in(header), arguments);
     header = without_recipe(without_development(std::move(header)));
+    for (auto& entry : development_metadata(rest)) header.push_back(std::move(entry));
+  }
   const Image image = developed(read_color(arguments.file), arguments.development);
   write_image(arguments.output, image.width, image.height,
               kept_channels(read_layers(arguments.file), color_channels(image)), header);
@@ -117,7 +130,12 @@ int develop(const ImageArguments& arguments) {
 int show_layer(const ImageArguments& arguments) {
   check_writable(arguments.output);
   LayerStyle style;
-  if (!arguments.range.empty()) style.range = ValueRange{arguments.range[0], arguments.range[1]};
+  if (!arguments.range.empty()) {
+    style.range = ValueRange{arguments.range[0], arguments.range[1]};
+    if (!(style.range->low < style.range->high))
+      refuse(fmt::format("--range {} {} is empty", style.range->low, style.range->high),
+             "give the lower end first");
+  }
   if (is_exr(arguments.file))
     for (const auto& [name, text] : read_exr_texts(arguments.file))
       if (name == "portalens:objects") style.objects = listed_names(text);
@@ -161,6 +179,7 @@ Comparison comparison_of(const Image& a, const Image& b) {
 }
 
 int compare(const ImageArguments& arguments) {
+  check_not_an_input(arguments.output, arguments.compared);
   if (!arguments.output.empty()) check_writable(arguments.output);
   const Image a = read_color(arguments.compared[0]), b = read_color(arguments.compared[1]);
   if (a.width != b.width || a.height != b.height)
@@ -199,7 +218,8 @@ Command command_of(const std::shared_ptr<ImageArguments>& arguments) {
   const bool develops =
       std::any_of(arguments->developing.begin(), arguments->developing.end(), is_given);
   if (develops && (!arguments->layer.empty() || !arguments->compared.empty()))
-    throw CLI::ExcludesError("--exposure, --tone and --white-balance", "--layer and --compare");
+    throw CLI::ArgumentMismatch(
+        "--exposure, --tone and --white-balance are of no use to --layer and --compare");
   const bool shows = !arguments->file.empty() || !arguments->layer.empty();
   if (!arguments->compared.empty()) {
     if (shows) throw CLI::ExcludesError("--compare", "FILE and --layer");
@@ -209,6 +229,7 @@ Command command_of(const std::shared_ptr<ImageArguments>& arguments) {
     throw CLI::RequiredError("FILE and -o, or --compare A B,");
   return [arguments] {
     const SpooledInput input(arguments->file);
+    check_not_an_input(arguments->output, {arguments->file});
     arguments->file = input.file();
     return arguments->layer.empty() ? develop(*arguments) : show_layer(*arguments);
   };
@@ -245,7 +266,7 @@ void add_image_command(CLI::App& program, Command& chosen) {
                                .add_option("--threshold", arguments->threshold,
                                            "Exit with 1 if the difference is above this")
                                ->needs(compared)
-                               ->check(CLI::NonNegativeNumber)
+                               ->check(number_within(0.0, 1e30))
                                ->type_name("T");
   command.add_option("--measure", arguments->measure, "Which difference the threshold is for")
       ->capture_default_str()

@@ -94,8 +94,12 @@ Image layer_picture(const ChannelPicture& picture, const std::string& layer,
   const auto channels = channels_named(picture, layer);
   if (channels.size() == 3) return vector_picture(picture, layer, channels);
   const Plane plane{picture.width, picture.height, channels.front()->values};
-  if (layer == "object" || layer == "fate" || layer == "crossings" || layer == "order")
+  if (layer == "object" || layer == "fate" || layer == "crossings" || layer == "order") {
+    if (style.range)
+      throw SceneError(
+          {{{}, "--range: the layer " + layer + " has a colour for each number", "leave it out"}});
     return number_picture(plane, number_names(known_names(layer, style), plane.values));
+  }
   const double absent = layer == "depth" ? no_depth : std::numeric_limits<double>::infinity();
   return heat_picture(plane, style.range.value_or(range_of(channels, absent)), absent);
 }

@@ -28,6 +28,7 @@ int merge_parts(const MergeArguments& arguments) {
     crop = checked_crop(arguments.crop, parts.front().head().assignment.film);
   Assignment wanted = parts.front().head().assignment;
   wanted.range = {0, wanted.samples};
+  check_not_an_input(arguments.output, arguments.parts);
   check_output(arguments.output, wanted);
   const auto exposure = merged(parts, crop);
   const RenderResult result = result_of(*exposure);
@@ -48,7 +49,9 @@ void add_merge_command(CLI::App& program, Command& chosen) {
                   "--samples-from and --samples-to")
       ->required()
       ->type_name("PART");
-  command.add_option("-o,--output", arguments->output, "Picture to write: .png, .exr or .part")
+  command
+      .add_option("-o,--output", arguments->output,
+                  "Picture to write: .png, .jpg, .exr or .part, or - for standard output, as PNG")
       ->required()
       ->type_name("FILE");
   add_crop_option(command, arguments->crop,

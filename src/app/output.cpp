@@ -5,6 +5,7 @@
 #include <iostream>
 #include <iterator>
 #include <span>
+#include <system_error>
 #include <utility>
 
 #include "app/development_options.h"
@@ -19,6 +20,16 @@ std::ostream& words_beside(const std::filesystem::path& file) {
   return file == standard_stream ? std::cerr : std::cout;
 }
 
+void check_not_an_input(const std::filesystem::path& output,
+                        const std::vector<std::filesystem::path>& inputs) {
+  for (const std::filesystem::path& input : inputs) {
+    std::error_code error;
+    if (!std::filesystem::equivalent(output, input, error)) continue;
+    throw SceneError({{Location{}, output.string() + " would be written over what it is made from",
+                       "name another file with -o"}});
+  }
+}
+
 void check_output(const std::filesystem::path& file, const Assignment& assignment) {
   const auto refuse = [&](const std::string& problem, const std::string& remedy) {
     throw SceneError({{Location{}, problem, remedy}});
@@ -29,7 +40,7 @@ void check_output(const std::filesystem::path& file, const Assignment& assignmen
     refuse(file.string() + " can't hold some samples of each pixel",
            "name a .part file with -o, and merge it with the others");
   if (!assignment.layers.empty() && !keeps_light(file))
-    refuse("--layers: " + file.string() + " can't hold layers", "name an .exr file with -o");
+    refuse(file.string() + " can't hold the layers", "name an .exr file with -o");
 }
 
 void write_picture(const std::filesystem::path& file, const RenderResult& result,

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <iosfwd>
 #include <string>
+#include <vector>
 
 #include "io/image.h"
 #include "render/partial.h"
@@ -18,6 +19,11 @@ namespace portalens {
 /// Where words go while something is written to that file: to standard error if it is standard
 /// output.
 [[nodiscard]] std::ostream& words_beside(const std::filesystem::path& file);
+
+/// Keeps what was read from being written over.
+/// @throws SceneError if the output is one of the inputs, by whatever name
+void check_not_an_input(const std::filesystem::path& output,
+                        const std::vector<std::filesystem::path>& inputs);
 
 /// Finds out before the work whether the result can be written.
 /// @param assignment  what will be taken

@@ -152,7 +152,7 @@ Recipe read_recipe(const std::filesystem::path& picture) {
     throw SceneError(
         {{{},
           "the picture " + picture.filename().string() + " does not tell how it was made",
-          "name an .exr that this portalens, or a later one, rendered or merged"}});
+          "name an .exr that portalens rendered or merged, and that image has not changed"}});
   try {
     require(text.size() <= max_recipe);
     Recipe recipe = recipe_in(text);

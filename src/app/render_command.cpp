@@ -84,7 +84,8 @@ std::optional<int> run_watched(const World& world, Exposure& exposure,
   return ended;
 }
 
-/// Writes the result and takes the checkpoint away; where that fails, the work is kept in one.
+/// Writes the result, and takes away the checkpoint and what an interruption showed of the picture;
+/// where that fails, the work is kept in one.
 RenderResult finish(const Exposure& exposure, const Provenance& provenance,
                     const Keeping& keeping) {
   RenderResult result = result_of(exposure);
@@ -95,7 +96,10 @@ RenderResult finish(const Exposure& exposure, const Provenance& provenance,
     throw;
   }
   std::error_code ignored;
-  if (is_kept(keeping.picture)) std::filesystem::remove(checkpoint_of(keeping.picture), ignored);
+  if (is_kept(keeping.picture)) {
+    std::filesystem::remove(checkpoint_of(keeping.picture), ignored);
+    std::filesystem::remove(unfinished(keeping.picture), ignored);
+  }
   return result;
 }
 
@@ -155,7 +159,10 @@ int render_scene(RenderArguments& arguments) {
   const AskedScene asked = asked_scene(arguments);
   const std::filesystem::path picture = picture_of(arguments);
   const World world = compile_with_options(asked, arguments.scene);
+  check_not_an_input(picture, inputs_of(world, arguments.scene));
   const RenderOptions options = asked_options(arguments, asked, world, picture);
+  if (asked.recipe && asked.recipe->window && !options.crop && !arguments.quiet)
+    std::cerr << "note: that picture was a part; of another size the whole is taken\n";
   const Assignment assignment = assignment_of(world, options);
   if (!arguments.quiet) warn(world);
   check_output(picture, assignment);

@@ -48,6 +48,9 @@ void check_choice(const SceneOptions& options) {
   };
   if (options.from && !options.file.empty())
     refuse("both a scene and --from are given", "leave one of them out");
+  if (options.folder && !std::filesystem::is_directory(*options.folder))
+    refuse("--scene-folder " + options.folder->string() + " is no folder",
+           "name the one in which the scene's files are");
   if (!options.from && (options.folder || options.changed_files))
     refuse("--scene-folder and --changed-files are for --from",
            "leave them out, or name a picture with --from");
@@ -117,6 +120,13 @@ World compile_with_options(const AskedScene& asked, const SceneOptions& options)
                              harmless(asked.recipe->program) + ", this is " +
                              std::string(api::version) + ": the picture may differ");
   return world;
+}
+
+std::vector<std::filesystem::path> inputs_of(const World& world, const SceneOptions& options) {
+  std::vector<std::filesystem::path> inputs = {world.file};
+  if (options.from) inputs.push_back(*options.from);
+  for (const UsedFile& file : world.files) inputs.push_back(world.file.parent_path() / file.name);
+  return inputs;
 }
 
 std::string stem_of(const SceneOptions& options) {

@@ -44,6 +44,10 @@ struct AskedScene {
 /// @throws SceneError
 [[nodiscard]] World compile_with_options(const AskedScene& asked, const SceneOptions& options);
 
+/// All files that were read for the world.
+[[nodiscard]] std::vector<std::filesystem::path> inputs_of(const World& world,
+                                                           const SceneOptions& options);
+
 /// What files made from the scene are called by default, without a suffix.
 [[nodiscard]] std::string stem_of(const SceneOptions& options);
 

@@ -18,6 +18,7 @@
 #include "app/command.h"
 #include "app/draw_scene.h"
 #include "app/drawing.h"
+#include "app/output.h"
 #include "app/path_export.h"
 #include "app/read_rays.h"
 #include "app/scene_options.h"
@@ -26,6 +27,7 @@
 #include "io/files.h"
 #include "io/polylines.h"
 #include "render/camera_photon.h"
+#include "render/cut_turning.h"
 #include "render/parallel.h"
 
 namespace portalens {
@@ -68,6 +70,8 @@ std::vector<Ray> rays_of(const TraceArguments& arguments) {
 /// The camera's photons for the pixels that were asked for.
 std::vector<Photon> camera_photons(const World& world, const TraceArguments& arguments) {
   Faults faults;
+  if (arguments.pixels.size() % 2 != 0)
+    faults.add({}, "--pixel has a number too many", "write --pixel X Y, once for each pixel");
   const Film& film = world.film;
   if (arguments.sample && *arguments.sample >= world.sampling.samples)
     faults.add({}, fmt::format("--sample {}: a pixel has no such sample", *arguments.sample),
@@ -158,6 +162,8 @@ int trace_photons(const TraceArguments& arguments) {
   const bool exported = !arguments.output.empty();
   std::optional<WaysFile> ways;
   if (exported) ways.emplace(world, arguments);
+  check_not_an_input(arguments.output, inputs_of(world, arguments.scene));
+  const EndlessPull endless(world);
   const PathOutput path = arguments.path ? PathOutput::included : PathOutput::omitted;
   const int threads = arguments.threads > 0 ? arguments.threads : available_threads();
 
@@ -168,10 +174,12 @@ int trace_photons(const TraceArguments& arguments) {
     traces.assign(exported ? answers.size() : 0, Trace{});
     const auto work = [&](std::size_t i) {
       Trace trace = traced(world, photons[begin + i], arguments);
+      const auto missing = endless.missing_turning(trace);
       answers[i] =
           arguments.json
-              ? json_line(trace_json(world, trace, arguments.bounces.value_or(0), path)) + '\n'
-              : trace_text(world, trace, path);
+              ? json_line(trace_json(world, trace, missing, arguments.bounces.value_or(0), path)) +
+                    '\n'
+              : trace_text(world, trace, missing, path);
       if (exported) traces[i] = std::move(trace);
     };
     parallel_for(answers.size(), threads, work, [] { return false; });

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "app/beyond.h"
-#include "render/cut_turning.h"
 
 namespace portalens {
 namespace {
@@ -39,14 +39,12 @@ std::string why_lost(const World& world, const Arrival& end) {
 }
 
 /// What the end of influences has taken from the turning; empty if that is next to nothing.
-std::string cut_text(const World& world, const Trace& trace) {
-  constexpr double least_share = 0.01, least = 1e-6;
-  const double cut = cut_turning(world, trace).value_or(0.0);
-  if (cut < std::max(least, least_share * trace.end.turning)) return "";
-  return fmt::format(
-      "; a pull without end (physics.min_force = 0) would turn it by about {:.3g} rad "
-      "more",
-      cut);
+std::string cut_text(const World& world, const Trace& trace, double missing) {
+  constexpr double least_share = 0.001;
+  const double least = 2.0 * world.space.physics.tolerance;
+  if (std::fabs(missing) < std::max(least, least_share * trace.end.turning)) return "";
+  return fmt::format("; pulls without end (physics.min_force = 0) would turn it by {:.3g} rad {}",
+                     std::fabs(missing), missing > 0.0 ? "more" : "less");
 }
 
 Json name_or_null(const std::string& name) { return name.empty() ? Json() : Json(name); }
@@ -81,7 +79,8 @@ Json bounces_json(const World& world, const Trace& trace) {
 
 }  // namespace
 
-Json trace_json(const World& world, const Trace& trace, int max_bounces, PathOutput path) {
+Json trace_json(const World& world, const Trace& trace, std::optional<double> missing,
+                int max_bounces, PathOutput path) {
   const Arrival& end = trace.end;
   Json crossings = Json::array();
   for (const std::uint32_t portal : trace.path_trace.crossings)
@@ -94,7 +93,7 @@ Json trace_json(const World& world, const Trace& trace, int max_bounces, PathOut
                {"turning", end.turning},
                {"crossings", crossings},
                {"steps", end.steps}};
-  if (const auto cut = cut_turning(world, trace)) json["cut_turning"] = *cut;
+  if (missing) json["cut_turning"] = *missing;
   if (end.fate == Fate::lost) json["because"] = why_lost(world, end);
   if (const auto camera = beyond(world, trace)) json["camera_beyond"] = to_json(*camera);
   if (max_bounces > 0 || trace.view) json["bounces"] = bounces_json(world, trace);
@@ -114,7 +113,8 @@ Json trace_json(const World& world, const Trace& trace, int max_bounces, PathOut
   return json;
 }
 
-std::string trace_text(const World& world, const Trace& trace, PathOutput path) {
+std::string trace_text(const World& world, const Trace& trace, std::optional<double> missing,
+                       PathOutput path) {
   const Arrival& end = trace.end;
   const std::string name = name_of_met(world, end);
   std::string text;
@@ -140,7 +140,7 @@ std::string trace_text(const World& world, const Trace& trace, PathOutput path) 
       text += fmt::format("; image of order {}", trace.view->first_hit.order);
   }
   if (end.fate == Fate::lost) text += "; lost because " + why_lost(world, end);
-  text += cut_text(world, trace);
+  if (missing) text += cut_text(world, trace, *missing);
   text += '\n';
   if (const auto camera = beyond(world, trace))
     text += "a camera that goes through stands at\n" + as_toml(*camera, "  ");

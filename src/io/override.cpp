@@ -1,8 +1,10 @@
 #include "io/override.h"
 
+#include <algorithm>
 #include <optional>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "core/words.h"
@@ -65,6 +67,11 @@ void add_once(std::vector<std::string>& words, const std::string& word) {
 
 /// The element that is meant; where there is none, a fault says which there are.
 Table* find_element(Scene& scene, const Target& target, Faults& faults, const Location& set_at) {
+  if (find_section(scene, target.section)) {
+    faults.add(set_at, "a value of [" + target.section + "] has no parts to be set alone",
+               "set all of it, as in " + target.section + "." + *target.name + "=...");
+    return nullptr;
+  }
   std::vector<std::string> kinds, names;
   for (Table* table : tables_of(scene)) {
     add_once(kinds, table->kind);
@@ -82,18 +89,27 @@ Table* find_element(Scene& scene, const Target& target, Faults& faults, const Lo
   return nullptr;
 }
 
-/// An element was meant, but not named; or a section that there is not.
+/// An element was meant, but not named, or none of its values; or a section that there is not.
 void refuse_section(Scene& scene, const Target& target, Faults& faults, const Location& set_at) {
-  std::size_t count = 0;
-  std::string name;
+  std::vector<std::string> names;
   for (const Table* table : tables_of(scene))
-    if (table->kind == target.section && count++ == 0) name = name_of(*table, 0);
-  if (count > 0)
-    faults.add(set_at, in_quotes(target.section + "." + target.key) + " does not say which one",
-               "write its name, as in " + target.section + "." + name + "." + target.key + "=...");
-  else
+    if (table->kind == target.section) names.push_back(name_of(*table, names.size()));
+  if (names.empty())
     faults.add(set_at, "unknown section " + in_quotes(target.section),
                suggestion_or_list(target.section, sections_known()));
+  else if (std::find(names.begin(), names.end(), target.key) != names.end())
+    faults.add(set_at, in_quotes(target.section + "." + target.key) + " does not say which value",
+               "write its key, as in " + target.section + "." + target.key + ".KEY=...");
+  else
+    faults.add(
+        set_at, in_quotes(target.section + "." + target.key) + " does not say which one",
+        "write its name, as in " + target.section + "." + names[0] + "." + target.key + "=...");
+}
+
+/// Whether the text was meant as a number, and is none of TOML's: 007, 5., 1e999.
+bool is_odd_number(const std::string& text) {
+  return !text.empty() && text.find_first_not_of("0123456789.+-eE_") == std::string::npos &&
+         text.find_first_of("0123456789") != std::string::npos;
 }
 
 void place(Value& value, const Location& where) {
@@ -123,7 +139,13 @@ void override_value(Scene& scene, const std::string& assignment, Faults& faults,
     if (!target->name) refuse_section(scene, *target, faults, set_at);
     return;
   }
-  auto value = read_toml_value(with_leading_zeros(assignment.substr(equals + 1)));
+  const std::string text = assignment.substr(equals + 1);
+  auto value = read_toml_value(with_leading_zeros(text));
+  if (value && std::holds_alternative<std::string>(value->data) && is_odd_number(text)) {
+    faults.add(set_at, in_quotes(text) + " is no number of TOML",
+               "write it without zeros before it, with a digit after its point, below 1e308");
+    return;
+  }
   if (!value) {
     faults.add(set_at, in_quotes(assignment.substr(equals + 1)) + " is no value",
                "give a number, true or false, a word, a \"string\" or a [list]");

@@ -37,9 +37,9 @@ class GatePlanner {
           "\"portal-mass\" or \"none\" they take more)",
           masses_.size(), max_lane_masses);
     return fmt::format(
-        "closest-point goes through portals on more than {} paths (a smaller "
-        "physics.portal_gravity_depth has fewer)",
-        max_lane_gates);
+        "closest-point goes through portals on more than {} paths ({} has fewer)", max_lane_gates,
+        coupling_.depth() > 1 ? "a smaller physics.portal_gravity_depth"
+                              : "physics.portal_gravity = \"portal-mass\" or \"none\"");
   }
 
  private:

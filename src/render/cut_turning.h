@@ -2,7 +2,6 @@
 /// What the end of influences takes from the bending of light. equations.md, section 2.
 #pragma once
 
-#include <cstddef>
 #include <optional>
 
 #include "render/trace.h"
@@ -10,13 +9,19 @@
 
 namespace portalens {
 
-/// Of scenes with more masses it is not told.
-inline constexpr std::size_t max_cut_masses = 256;
+/// The masses of a world as if no pull ended at a radius of influence (`min_force` 0), and nothing
+/// else: photons are followed there once more.
+class EndlessPull {
+ public:
+  explicit EndlessPull(const World& world);
 
-/// By how much, about, a photon would turn besides if no pull ended at its radius of influence
-/// (`min_force` 0), radians: the pull of each mass where the path lies beyond its influence, along
-/// the path as it is, to infinity if the photon escaped. Masses pull directly; what portals would
-/// bring is left out. Nothing for too many masses.
-[[nodiscard]] std::optional<double> cut_turning(const World& world, const Trace& trace);
+  /// By how much more the photon would turn there, radians; below 0 where the pulls of several
+  /// masses would undo each other. Told of photons that have escaped past no portal and no mirror;
+  /// nothing of others, of those that would not escape there, and where no influence ends.
+  [[nodiscard]] std::optional<double> missing_turning(const Trace& trace) const;
+
+ private:
+  std::optional<PlannedSpace> space_;  ///< none where no influence ends
+};
 
 }  // namespace portalens

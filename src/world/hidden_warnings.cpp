@@ -29,6 +29,12 @@ std::vector<Vec3d> places_on(std::span<const Vec3d> vertices, Vec3d middle) {
   return places;
 }
 
+/// What lies no farther from such a face is in its plane (geometry/flush.h).
+double flush_within(Vec3d middle, double size) {
+  const double largest = std::max({std::fabs(middle.x), std::fabs(middle.y), std::fabs(middle.z)});
+  return 1.01e-9 * (largest + 2.0 * size);
+}
+
 /// What all the rays from the places meet within that distance, and how far away the first meets
 /// it.
 template <class DirectionFrom>
@@ -49,11 +55,14 @@ double size_of(const Quad& quad) {
 }
 
 /// Whether `cover` is the wall on which the quad was meant to hang.
-bool carries(const Shape& cover, const Quad& quad) {
+/// @param cover  what was met where
+bool carries(const Accelerator& surfaces, const SurfaceHit& cover, Vec3d where, const Quad& quad) {
   constexpr double parallel = 0.9999, clearly = 0.999;
-  const auto* wall = std::get_if<Quad>(&cover);
-  return wall && std::fabs(dot(wall->normal(), quad.normal())) > parallel &&
-         size_of(quad) < clearly * size_of(*wall);
+  const Vec3d normal = surfaces.surface_at(cover.shape, cover.face, where).geometric_normal;
+  const Box box =
+      std::visit([](const auto& one) { return one.bounds(); }, surfaces.shapes()[cover.shape]);
+  return std::fabs(dot(normal, quad.normal())) > parallel &&
+         size_of(quad) < clearly * length(box.high - box.low);
 }
 
 }  // namespace
@@ -65,7 +74,7 @@ void warn_of_walled_up_portals(const World& world, std::vector<std::string>& war
     const auto places = places_on(portal.vertices, portal.frame.origin);
     const auto hit = met_from_all(
         world.space.surfaces, places, [&](Vec3d) { return portal.frame.normal; },
-        1e-6 * portal.longest_edge, close * portal.longest_edge);
+        flush_within(portal.frame.origin, portal.longest_edge), close * portal.longest_edge);
     if (!hit || found++ >= max_told) continue;
     warnings.push_back(fmt::format(
         "{} lies {:.3g} before the front of portal {}: nothing gets through; put the portal into "
@@ -87,9 +96,11 @@ void remark_on_hidden_quads(const World& world, std::vector<std::string>& remark
     const bool before = dot(world.camera.position - middle, quad->normal()) > 0.0;
     const Vec3d towards = before ? quad->normal() : -quad->normal();
     const auto hit = met_from_all(
-        surfaces, places_on(quad->vertices(), middle), [&](Vec3d) { return towards; }, 1e-6 * size,
-        close * size);
-    if (!hit || !carries(shapes[hit->shape], *quad) || found++ >= max_told) continue;
+        surfaces, places_on(quad->vertices(), middle), [&](Vec3d) { return towards; },
+        flush_within(middle, size), close * size);
+    if (!hit || !carries(surfaces, *hit, middle + towards * hit->distance, *quad) ||
+        found++ >= max_told)
+      continue;
     remarks.push_back(fmt::format("{} lies {:.3g} before {} as the camera sees it, and hides it",
                                   in_quotes(world.appearance.bodies[hit->shape].name),
                                   hit->distance, in_quotes(world.appearance.bodies[i].name)));

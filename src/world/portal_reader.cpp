@@ -19,13 +19,56 @@ constexpr double congruent = 1e-6;
 constexpr std::size_t max_compared = 1000;  // names a misspelt one is held against
 constexpr std::size_t max_guesses = 100;    // among so many faults nobody needs another
 
-/// At which of its vertices B's list should begin so that it is congruent with A's; 0 if nowhere.
-std::size_t better_start(const std::vector<Vec3d>& a, std::vector<Vec3d> b) {
-  for (std::size_t start = 1; start < b.size(); ++start) {
+/// Whether what stands upright along y in front of A does so behind B, too.
+bool keeps_upright(const std::vector<Vec3d>& a, const std::vector<Vec3d>& b) {
+  constexpr Vec3d up{0, 1, 0};
+  const Frame from = polygon_frame(a), to = polygon_frame(b);
+  const Vec3d through =
+      to.up * dot(up, from.up) - to.right * dot(up, from.right) - to.normal * dot(up, from.normal);
+  return dot(through, up) > 0.99;
+}
+
+/// An order of B's vertices in which they are congruent with A's.
+struct Order {
+  std::size_t first = 0;  ///< of B's vertices
+  bool upright = false;
+};
+
+/// The one that keeps things upright, or else the first.
+std::optional<Order> congruent_order(const std::vector<Vec3d>& a, std::vector<Vec3d> b) {
+  std::optional<Order> found;
+  for (std::size_t first = 0; first < b.size(); ++first) {
+    if (congruence_error(a, b) <= congruent && (!found || !found->upright)) {
+      const bool upright = keeps_upright(a, b);
+      if (!found || upright) found = Order{first, upright};
+    }
     std::rotate(b.begin(), b.begin() + 1, b.end());
-    if (congruence_error(a, b) <= congruent) return start;
   }
-  return 0;
+  return found;
+}
+
+/// "3, 2, 1, 0"
+std::string backwards_from(std::size_t first, std::size_t count) {
+  std::string order;
+  for (std::size_t i = 0; i < count; ++i)
+    order += fmt::format("{}{}", i > 0 ? ", " : "", (first + count - i) % count);
+  return order;
+}
+
+/// What to do about B's list; empty if no order of it would do.
+std::string better_order(const std::vector<Vec3d>& a, const Portal& b) {
+  std::vector<Vec3d> backwards(b.vertices.rbegin(), b.vertices.rend());
+  const auto forth = congruent_order(a, b.vertices), back = congruent_order(a, backwards);
+  const std::size_t count = b.vertices.size();
+  std::string order;
+  if (forth)
+    order = fmt::format("begin the list of {} with its vertex {} (counted from 0)",
+                        in_quotes(b.name), forth->first);
+  if (back && (back->upright || !forth))
+    order += fmt::format("{}to face the other way, list the corners of {} in the order {}",
+                         order.empty() ? "" : "; or, if it is ", in_quotes(b.name),
+                         backwards_from(count - 1 - back->first, count));
+  return order;
 }
 
 std::string remedy_for(const Portal& a, const Portal& b) {
@@ -33,8 +76,7 @@ std::string remedy_for(const Portal& a, const Portal& b) {
     return "give two faces of the same kind, size and shape";
   if (is_curved(a.aperture)) return "give both the same radii, to 1e-6 of the longer diameter";
   if (a.vertices.size() == b.vertices.size()) {
-    if (const std::size_t start = better_start(a.vertices, b.vertices))
-      return fmt::format("begin the list of {} with its vertex {}", in_quotes(b.name), start);
+    if (std::string order = better_order(a.vertices, b); !order.empty()) return order;
   }
   return "give two polygons of the same size and shape, mirror images of each other, to 1e-6 of "
          "the "

@@ -74,10 +74,24 @@ void about_materials(const World& world, Warnings& warnings) {
   }
 }
 
+/// Whether the mass's own body is a solid about its centre, to which light then never comes.
+bool is_covered(const World& world, const Mass& mass) {
+  const auto& bodies = world.appearance.bodies;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (!bodies[i].mass || &world.space.masses[*bodies[i].mass] != &mass) continue;
+    const Shape& shape = world.space.surfaces.shapes()[i];
+    const Box box = std::visit([](const auto& one) { return one.bounds(); }, shape);
+    const Vec3d sides = box.high - box.low, aside = mass.center - (box.low + box.high) * 0.5;
+    const bool solid = std::holds_alternative<Sphere>(shape) || std::holds_alternative<Cube>(shape);
+    if (solid && length(aside) < 0.25 * std::min({sides.x, sides.y, sides.z})) return true;
+  }
+  return false;
+}
+
 void about_masses(const World& world, Warnings& warnings) {
   std::vector<const Mass*> holes;
   for (const Mass& mass : world.space.masses) {
-    if (!mass.horizon && mass.core == 0.0)
+    if (!mass.horizon && mass.core == 0.0 && !is_covered(world, mass))
       warnings.push_back(fmt::format(
           "mass {} has neither a horizon nor a core: near its centre the pull has no bound",
           in_quotes(mass.name)));
@@ -227,9 +241,31 @@ void about_light(const World& world, Warnings& warnings) {
     warnings.push_back(fmt::format(
         "no lamp lights the scene: surfaces have only shading.ambient ({:.3g}, {:.3g}, {:.3g}), "
         "and "
-        "the environment is seen, but lights nothing; add a [[light]], or a shape whose material "
-        "has emitted",
-        look.limits.ambient.x, look.limits.ambient.y, look.limits.ambient.z));
+        "the environment is seen, but lights nothing; {}",
+        look.limits.ambient.x, look.limits.ambient.y, look.limits.ambient.z,
+        world.file.extension() == ".obj"
+            ? "the file is taken for a scene of the OBJ dialect: with a line 'o NAME' in it, it is "
+              "a model, and lit"
+            : "add a [[light]], or a shape whose material has emitted"));
+}
+
+/// Of few masses each is told, of many how many they are.
+void about_influences(const World& world, std::vector<std::string>& remarks) {
+  constexpr std::size_t few = 3;
+  std::vector<std::string> found;
+  for (const Mass& mass : world.space.masses) {
+    const double distance = length(world.camera.position - mass.center);
+    if (within_horizon(world, mass) || !(distance < mass.influence)) continue;
+    if (std::isfinite(mass.influence))
+      found.push_back(fmt::format("{} (distance {:.4g}, radius {:.4g})", in_quotes(mass.name),
+                                  distance, mass.influence));
+  }
+  if (found.size() > few)
+    remarks.push_back(
+        fmt::format("the camera lies within the influences of {} masses", found.size()));
+  else
+    for (const std::string& one : found)
+      remarks.push_back("the camera lies within the influence of " + one);
 }
 
 /// Whoever thinks in radians asks for a view of half a degree.
@@ -259,7 +295,8 @@ void about_cut_pulls(const World& world, std::vector<std::string>& remarks) {
     remarks.push_back(fmt::format(
         "the pull of {} ends at {:.4g}, its radius of influence (physics.min_force): light that "
         "passes there turns by {:.3g} degrees less than by a pull without end, at half of that by "
-        "{:.3g}; a smaller min_force takes the end further out, 0 away",
+        "{:.3g} degrees (trace tells it of any photon); a smaller min_force takes the end further "
+        "out",
         in_quotes(mass.name), mass.influence, degrees * at_end, degrees * at_half));
   }
   if (found > max_told)
@@ -274,14 +311,7 @@ std::vector<std::string> remarks_about(const World& world) {
   about_flush_faces(world, true, remarks);
   remark_on_hidden_quads(world, remarks);
   about_narrow_view(world, remarks);
-  for (const Mass& mass : world.space.masses) {
-    const double distance = length(world.camera.position - mass.center);
-    if (within_horizon(world, mass) || !std::isfinite(mass.influence)) continue;
-    if (distance < mass.influence)
-      remarks.push_back(
-          fmt::format("the camera lies within the influence of {} (distance {:.4g}, radius {:.4g})",
-                      in_quotes(mass.name), distance, mass.influence));
-  }
+  about_influences(world, remarks);
   return remarks;
 }
 

@@ -110,6 +110,33 @@ TEST(Films, TheirLoopsTakeEveryPicture) {
   }
 }
 
+/// One blank in place of many, and 0 in place of what rounding leaves of it.
+std::string plain(const std::string& text) {
+  return std::regex_replace(std::regex_replace(text, std::regex("\\s+"), " "),
+                            std::regex("-?[0-9.]+e-1[0-9]"), "0");
+}
+
+TEST(SeeWhy, PrintsWhatTraceSays) {
+  const SceneFolder folder;
+  furnish(folder);
+  const std::string text = page("see-why.md"), printed = plain(text);
+  std::string before = "export PATH=\"$PWD/bin:$PATH\"; ";
+  int lines = 0;
+  for (const std::string& command : commands_of(text)) {
+    if (!command.starts_with("portalens")) before += command + "; ";
+    if (!command.starts_with("portalens trace") || command.find(" -o ") != std::string::npos)
+      continue;
+    std::istringstream told(run_shell(folder.path(), before + command).output);
+    for (std::string line; std::getline(told, line);)
+      if (line.find("steps;") != std::string::npos) {
+        const std::string until_steps = line.substr(0, line.find("steps;"));
+        EXPECT_NE(printed.find(plain(until_steps)), std::string::npos) << line;
+        ++lines;
+      }
+  }
+  EXPECT_EQ(lines, 4);
+}
+
 INSTANTIATE_TEST_SUITE_P(Of, Page,
                          testing::Values("checkpoints.md", "drawing.md", "films.md",
                                          "scene-files.md", "see-why.md"),

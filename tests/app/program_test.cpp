@@ -64,6 +64,43 @@ TEST(Program, WhatIsMistypedIsToldInWordsThatHelp) {
   }
 }
 
+TEST(Program, WhatWasReadIsNeverWrittenOver) {
+  const SceneFolder folder;
+  const std::string sky = "[environment]\nimage = \"sky.png\"\n";
+  const std::string color = "[environment]\ncolor = [0.25, 0.5, 0.75]\n";
+  std::string scene = tiny;
+  folder.write("plain.toml", scene);
+  ASSERT_EQ(run_portalens(folder.path(), {"render", "plain.toml", "-o", "sky.png"}).code, 0);
+  ASSERT_EQ(run_portalens(folder.path(), {"render", "plain.toml", "-o", "a.exr"}).code, 0);
+  ASSERT_EQ(run_portalens(folder.path(), {"render", "plain.toml", "-o", "a.part"}).code, 0);
+  folder.write("sky.toml", scene.replace(scene.find(color), color.size(), sky));
+  folder.write("ball.obj", "o ball\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  folder.write("ball.toml", tiny + "[[mesh]]\nfile = \"ball.obj\"\n");
+  std::filesystem::create_hard_link(folder.path() / "sky.png", folder.path() / "same.png");
+  const std::vector<std::vector<std::string>> commands = {
+      {"render", "sky.toml"},
+      {"render", "sky.toml", "-o", "same.png"},
+      {"draw", "sky.toml", "-o", "./sky.png"},
+      {"field", "sky.toml", "--plane", "xy", "-o", "sky.png"},
+      {"trace", "ball.toml", "--pixel", "1", "1", "-o", "ball.obj"},
+      {"render", "--from", "a.exr", "-o", "a.exr"},
+      {"merge", "a.part", "-o", "a.part"},
+      {"image", "a.exr", "-o", "a.exr"},
+      {"image", "--compare", "sky.png", "same.png", "-o", "sky.png"}};
+  const auto all = [&] {
+    return folder.read("sky.png") + folder.read("ball.obj") + folder.read("a.exr") +
+           folder.read("a.part");
+  };
+  const std::string before = all();
+  for (const std::vector<std::string>& words : commands) {
+    const Outcome outcome = run_portalens(folder.path(), words);
+    EXPECT_EQ(outcome.code, 2) << quoted(words);
+    EXPECT_NE(outcome.errors.find("would be written over what it is made from"), std::string::npos)
+        << quoted(words) << outcome.errors;
+  }
+  EXPECT_EQ(all(), before);
+}
+
 TEST(Program, ASceneMayBeNamedLast) {
   const SceneFolder folder;
   folder.write("tiny.toml", tiny);

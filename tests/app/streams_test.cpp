@@ -72,7 +72,7 @@ TEST(Streams, RefuseWhatNeedsAFile) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> wrong = {
       {{"render", "tiny.toml", "-o", "-", "--checkpoint", "5"}, "has no checkpoint"},
       {{"render", "tiny.toml", "-o", "-", "--resume"}, "has no checkpoint"},
-      {{"render", "tiny.toml", "-o", "-", "--layers", "depth"}, "can't hold layers"},
+      {{"render", "tiny.toml", "-o", "-", "--layers", "depth"}, "can't hold the layers"},
       {{"trace", "tiny.toml", "--pixel", "1", "1", "-o", "-"}, "name a file with -o"}};
   for (const auto& [words, told] : wrong) {
     const Outcome outcome = run_portalens(folder.path(), words);

@@ -89,6 +89,15 @@ TEST(Override, SaysWhichNamesThereAre) {
         {"sphere.radius=2",
          "'sphere.radius' does not say which one; write its name, as in "
          "sphere.ball.radius=..."},
+        {"sphere.ball=2",
+         "'sphere.ball' does not say which value; write its key, as in "
+         "sphere.ball.KEY=..."},
+        {"camera.position.x=2",
+         "a value of [camera] has no parts to be set alone; set all of it, "
+         "as in camera.position=..."},
+        {"sphere.ball.radius=05", "'05' is no number of TOML"},
+        {"sphere.ball.radius=5.", "'5.' is no number of TOML"},
+        {"sphere.ball.radius=1e400", "'1e400' is no number of TOML"},
         {"sphere..radius=2", "sets nothing"}}) {
     Scene scene = scene_from("a.toml", "[[sphere]]\nname = \"ball\"\n");
     Faults faults;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 #include "support/random.h"
@@ -29,45 +30,53 @@ Photon photon_from(Vec3d position, Vec3d towards) {
   return photon;
 }
 
-TEST(CutTurning, IsWhatAPullWithoutEndWouldAdd) {
+TEST(CutTurning, IsWhatPullsWithoutEndWouldAdd) {
   const World cut = world_of(1e-4);  // R = 1 and 1.41
   const World whole = world_of(0.0);
+  const EndlessPull endless(cut), none(whole);
   Random random(20261130);
+  int compared = 0;
   for (int i = 0; i < scaled(200); ++i) {
     const Photon photon = photon_from({random.uniform(-3, 12), random.uniform(-3, 3), 40.0},
                                       {random.uniform(-3, 12), random.uniform(-3, 3), 0.0});
     const Trace with_end = trace_ray(cut, photon, 0), without = trace_ray(whole, photon, 0);
     if (with_end.end.fate != Fate::escaped || without.end.fate != Fate::escaped) continue;
-    const auto near = [&](Vec3d center) {
-      return length(cross(center - photon.position, photon.direction)) < 0.5;
-    };
-    if (near({0, 0, 0}) || near({9, 0, 0})) continue;  // there the path itself is another
-    // As vectors: the two pulls may draw to different sides.
-    const double missing = length(without.end.direction - with_end.end.direction);
-    const auto told = cut_turning(cut, with_end);
+    const auto told = endless.missing_turning(with_end);
     ASSERT_TRUE(told);
-    EXPECT_NEAR(*told, missing, 0.01 * missing + 1e-7) << i;
-    EXPECT_EQ(cut_turning(whole, without), 0.0);
+    EXPECT_NEAR(*told, without.end.turning - with_end.end.turning, 1e-12) << i;
+    EXPECT_FALSE(none.missing_turning(without)) << "no influence ends";
+    ++compared;
+  }
+  EXPECT_GT(compared, scaled(100));
+}
+
+TEST(CutTurning, FarFromTheMassIsWhatTheStraightLineSays) {
+  const World world = compiled(
+      "[camera]\nposition = [0, 0, 50]\nlook_at = [0, 0, 0]\n[physics]\nc = 1.0\n"
+      "tolerance = 1e-10\nmax_length = 1e9\nmin_force = 1e-4\n"
+      "[[mass]]\ncenter = [0, 0, 0]\nmass = 1e-4\n");
+  const EndlessPull endless(world);
+  for (const double b : {0.3, 0.6, 0.9, 1.5, 5.0}) {
+    const Trace trace = trace_ray(world, photon_from({b, 0, 1e5}, {b, 0, 0}), 0);
+    const double share = b < 1.0 ? 1.0 - std::sqrt(1.0 - b * b) : 1.0;  // R = 1
+    EXPECT_NEAR(*endless.missing_turning(trace), 2e-4 / b * share, 2e-3 * 2e-4 / b) << b;
   }
 }
 
-TEST(CutTurning, EndsWithThePath) {
-  const World world = compiled(
+TEST(CutTurning, IsNotToldWhereAPathMeetsSomething) {
+  const std::string scene =
       "[camera]\nposition = [0, 0, 50]\nlook_at = [0, 0, 0]\n"
       "[physics]\nc = 1.0\nmin_force = 1e-4\n[[mass]]\ncenter = [0, 0, 0]\nmass = 1e-4\n"
-      "[[quad]]\nvertices = [[-9, -9, 0], [9, -9, 0], [9, 9, 0], [-9, 9, 0]]\n");
-  const Trace half = trace_ray(world, photon_from({3, 0, 1e4}, {3, 0, 0}), 0);
-  ASSERT_EQ(half.end.fate, Fate::hit);
-  // Half of a line past the mass: m/b.
-  EXPECT_NEAR(*cut_turning(world, half), 1e-4 / 3.0, 1e-8);
-}
-
-TEST(CutTurning, IsNotToldOfTooManyMasses) {
-  std::string scene = "[camera]\nposition = [0, 0, 50]\nlook_at = [0, 0, 0]\n";
-  for (std::size_t i = 0; i <= max_cut_masses; ++i)
-    scene += "[[mass]]\ncenter = [" + std::to_string(9 * i) + ", 0, 0]\nmass = 1e-4\n";
+      "[[quad]]\nvertices = [[-9, -9, 0], [9, -9, 0], [9, 9, 0], [-9, 9, 0]]\n";
   const World world = compiled(scene);
-  EXPECT_FALSE(cut_turning(world, trace_ray(world, photon_from({3, 3, 9}, {3, 3, 0}), 0)));
+  const EndlessPull endless(world);
+  const Trace hit = trace_ray(world, photon_from({3, 0, 99}, {3, 0, 0}), 0);
+  ASSERT_EQ(hit.end.fate, Fate::hit);
+  EXPECT_FALSE(endless.missing_turning(hit));
+  const Trace mirrored = trace_ray(world, photon_from({3, 0, 99}, {3, 0, 0}), 3);
+  ASSERT_EQ(mirrored.end.fate, Fate::escaped);
+  EXPECT_FALSE(endless.missing_turning(mirrored));
+  EXPECT_TRUE(endless.missing_turning(trace_ray(world, photon_from({30, 0, 99}, {30, 0, 0}), 0)));
 }
 
 }  // namespace

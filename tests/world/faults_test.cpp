@@ -147,6 +147,20 @@ TEST(Faults, OfPortals) {
   });
 }
 
+TEST(Faults, OfAPortalListedClockwiseSayInWhichOrdersItFits) {
+  // Two upright doors, 1 x 2, both facing +z; b is listed as its back is seen.
+  const std::string a = "[[0,0,0], [1,0,0], [1,2,0], [0,2,0]]";
+  const auto faults =
+      faults_of(portal("a", "b", a) + portal("b", "a", "[[5,0,0], [5,2,0], [6,2,0], [6,0,0]]"));
+  ASSERT_EQ(faults.size(), 1u);
+  EXPECT_EQ(faults[0].remedy,
+            "begin the list of 'b' with its vertex 3 (counted from 0); or, if it is to face the "
+            "other way, list the corners of 'b' in the order 0, 3, 2, 1");
+  EXPECT_TRUE(
+      faults_of(portal("a", "b", a) + portal("b", "a", "[[5,0,0], [6,0,0], [6,2,0], [5,2,0]]"))
+          .empty());
+}
+
 /// A portal about a center, with these keys besides.
 std::string about(const std::string& name, const std::string& pair, const std::string& keys) {
   return "[[portal]]\nname = \"" + name + "\"\npair = \"" + pair +

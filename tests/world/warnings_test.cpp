@@ -1,4 +1,5 @@
 // What is probably not meant is told, by name and with a remedy, and not without end.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -141,10 +142,38 @@ const char* const room =
     "[[quad]]\nname = \"wall\"\nvertices = [[-3, -3, 0], [3, -3, 0], [3, 3, 0], [-3, 3, 0]]\n";
 
 std::string door_at(double z) {
-  return "[[portal]]\nname = \"a\"\npair = \"b\"\ncenter = [0, 0, " + std::to_string(z) +
+  return "[[portal]]\nname = \"a\"\npair = \"b\"\ncenter = [0, 0, " + fmt::format("{}", z) +
          "]\nfacing = [0, 0, 1]\nup = [0, 1, 0]\nsize = [1, 2]\n"
          "[[portal]]\nname = \"b\"\npair = \"a\"\ncenter = [9, 0, 0]\nfacing = [0, 0, 1]\n"
          "up = [0, 1, 0]\nsize = [1, 2]\n";
+}
+
+std::string masses_along(int count, double apart) {
+  std::string text = "[environment]\ncolor = [1, 1, 1]\n";
+  for (int i = 0; i < count; ++i)
+    text += "[[mass]]\ncenter = [" + std::to_string(i * apart) + ", 0, 0]\nmass = 1\n";
+  return text;
+}
+
+TEST(Compile, WarnsOfABareMassButNotOfOneWithinASolid) {
+  const auto body = [](const char* shape) {
+    return room + std::string(shape) + "mass = 1\nhorizon = false\n";
+  };
+  const char* const bare = "has neither a horizon nor a core";
+  EXPECT_EQ(warnings_of(body("[[sphere]]\ncenter = [0, 0, 2]\nradius = 0.5\n")).find(bare),
+            std::string::npos);
+  EXPECT_EQ(warnings_of(body("[[cube]]\ncenter = [0, 0, 2]\nsize = 0.5\n")).find(bare),
+            std::string::npos);
+  for (const char* shape : {"[[mass]]\ncenter = [0, 0, 2]\n",
+                            "[[sphere]]\ncenter = [0, 0, 2]\nradius = 0.5\n"
+                            "center_of_mass = [0, 0, 2.4]\n"})
+    EXPECT_NE(warnings_of(body(shape)).find(bare), std::string::npos) << shape;
+}
+
+TEST(Compile, RemarksOnManyInfluencesInOneLine) {
+  const std::string told = remarks_of(room + masses_along(30, 2.0));
+  EXPECT_NE(told.find("the camera lies within the influences of "), std::string::npos) << told;
+  EXPECT_EQ(told.find("the influence of 'mass0'"), std::string::npos) << told;
 }
 
 TEST(Compile, WarnsOfASceneWithoutAnything) {
@@ -173,6 +202,8 @@ TEST(Compile, WarnsOfADoorJustBehindItsWall) {
       warnings_of(room + door_at(-0.001)),
       "'wall' lies 0.001 before the front of portal 'a': nothing gets through; put the portal "
       "into that plane, or before it\n");
+  for (const double z : {-1e-8, -1e-7, -1e-5, -0.015})
+    EXPECT_NE(warnings_of(room + door_at(z)).find("nothing gets through"), std::string::npos) << z;
   EXPECT_EQ(warnings_of(room + door_at(0.0)), "");
   EXPECT_EQ(warnings_of(room + door_at(0.001)), "");
   EXPECT_EQ(warnings_of(room + door_at(-1.0)), "") << "another room may lie there";
@@ -201,18 +232,11 @@ TEST(Compile, RemarksOnPullsThatEndWhereTheyStillTurnLight) {
   const std::string told = remarks_of(hole("0.01"));
   EXPECT_NE(told.find("the pull of 'hole' ends at 1, its radius of influence (physics.min_force): "
                       "light that passes there turns by 1.15 degrees less than by a pull without "
-                      "end, at half of that by 0.307;"),
+                      "end, at half of that by 0.307 degrees"),
             std::string::npos)
       << told;
   EXPECT_EQ(remarks_of(hole("1e-4")), "") << "at R = 10 it is 0.002 rad";
   EXPECT_EQ(remarks_of(hole("0.0")), "");
-}
-
-std::string masses_along(int count, double apart) {
-  std::string text = "[environment]\ncolor = [1, 1, 1]\n";
-  for (int i = 0; i < count; ++i)
-    text += "[[mass]]\ncenter = [" + std::to_string(i * apart) + ", 0, 0]\nmass = 1\n";
-  return text;
 }
 
 TEST(Compile, OverlapsAreToldByNameOnlyWhileTheyAreFew) {
