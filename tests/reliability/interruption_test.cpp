@@ -187,7 +187,9 @@ TEST_F(Interruption, ALookAtWhatStandsLetsTheRenderGoOn) {
   child.send(SIGUSR1);
   EXPECT_EQ(child.wait(), 0);
   EXPECT_TRUE(folder_.read("a.exr") == whole);
-  EXPECT_TRUE(fs::exists(folder_.path() / "a.unfinished.exr"));
+  EXPECT_NE(folder_.read("said").find("what stands is in a.unfinished.exr"), std::string::npos)
+      << folder_.read("said");
+  EXPECT_FALSE(fs::exists(folder_.path() / "a.unfinished.exr")) << "the whole one is there";
   EXPECT_FALSE(has_checkpoint());
 }
 
