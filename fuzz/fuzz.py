@@ -22,7 +22,7 @@ import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 BUILD = HERE.parent / "build" / "fuzz"
-LEAST_EDGES = {"toml": 1500, "obj": 1000, "mesh": 1000, "image": 500, "scene": 6000, "checkpoint": 3000, "recipe": 500}
+LEAST_EDGES = {"toml": 1500, "obj": 1000, "mesh": 1000, "image": 500, "scene": 6000, "checkpoint": 3000, "recipe": 900}
 LONGEST_INPUT = {"toml": 4096, "obj": 4096, "mesh": 4096, "scene": 4096, "image": 2048}
 KEPT_BYTES = 2048  # a longer input is not kept in the repository
 LENT = {"scene": "toml"}  # whose seeds and corpus a target is given, too; as in CMakeLists.txt

@@ -4,7 +4,6 @@
 #include <zlib.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cstddef>
 #include <exception>
@@ -18,7 +17,6 @@
 #include "core/words.h"
 #include "io/exr_texts.h"
 #include "io/read_scene.h"
-#include "portalens/version.h"
 #include "render/layers.h"
 
 namespace portalens {
@@ -103,6 +101,8 @@ Recipe recipe_in(const std::string& text) {
   json.at("set").get_to(recipe.settings);
   recipe.engine = json.at("engine") == "scalar" ? Engine::scalar : Engine::automatic;
   recipe.photons = json.at("photons") == "all" ? Photons::all : Photons::fewer;
+  require(json.at("engine") == name_of(recipe.engine));
+  require(json.at("photons") == name_of(recipe.photons));
   json.at("layers").get_to(recipe.layers);
   for (const std::string& layer : recipe.layers)
     require(std::find(layer_names.begin(), layer_names.end(), layer) != layer_names.end());

@@ -67,8 +67,11 @@ Provenance provenance_of(const AskedScene& asked, const World& world,
                         scene_words(arguments)};
   if (!options.layers.empty())
     provenance.metadata.emplace_back("portalens:objects", object_list(world));
-  for (auto& entry : recipe_metadata(recipe_of(arguments, asked, world, options)))
-    provenance.metadata.push_back(std::move(entry));
+  Metadata recipe = recipe_metadata(recipe_of(arguments, asked, world, options));
+  if (recipe.empty() && !arguments.quiet)
+    std::cerr << "note: the picture can't keep how it is made: a name is no UTF-8, or all of it is "
+                 "too long\n";
+  for (auto& entry : recipe) provenance.metadata.push_back(std::move(entry));
   return provenance;
 }
 

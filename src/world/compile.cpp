@@ -237,10 +237,10 @@ World compile(const Scene& scene, const CompileOptions& options) {
               used_files(scene.file, digests),
               {},
               {}};
-  world.warnings = meshes.warnings();
-  for (const std::vector<std::string>& more : {images.warnings(), warnings_about(world)})
+  Observations observations = observations_about(world);
+  for (const auto& more : {meshes.warnings(), images.warnings(), observations.warnings})
     world.warnings.insert(world.warnings.end(), more.begin(), more.end());
-  world.remarks = remarks_about(world);
+  world.remarks = std::move(observations.remarks);
   if (is_model_alone(scene)) world.remarks.push_back(stage_remark(camera));
   return world;
 }

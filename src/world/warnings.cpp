@@ -172,9 +172,9 @@ bool hangs_on(const Shape& seen, const Shape& hidden) {
   return extent_of(seen) < clearly * extent_of(hidden);
 }
 
-/// What lies in one plane and shares an area.
-/// @param meant  whether to tell of what hangs on something larger, or of all other pairs
-void about_flush_faces(const World& world, bool meant, Warnings& told_ones) {
+/// What lies in one plane and shares an area: what hangs on something larger is a remark, any other
+/// pair a warning.
+void about_flush_faces(const World& world, Observations& observations) {
   const auto portals = world.space.portals.portals();
   const auto& shapes = world.space.surfaces.shapes();
   const std::size_t shape_count = shapes.size();
@@ -183,7 +183,7 @@ void about_flush_faces(const World& world, bool meant, Warnings& told_ones) {
                                           : portals[object - shape_count].name);
   };
   constexpr std::size_t max_pairs = 10'000;
-  std::size_t found = 0;
+  Warnings hanging, others;
   const auto pairs = world.space.surfaces.flush().overlaps(max_pairs);
   for (const auto& [seen, hidden] : pairs) {
     std::string told = fmt::format("{} lies in the plane of {}: ", name(seen), name(hidden));
@@ -204,11 +204,18 @@ void about_flush_faces(const World& world, bool meant, Warnings& told_ones) {
       hangs = hangs_on(shapes[seen], shapes[hidden]);
       told += fmt::format("where both are, {} is seen", name(seen));
     }
-    if (hangs == meant && found++ < max_told) told_ones.push_back(std::move(told));
+    (hangs ? hanging : others).push_back(std::move(told));
   }
-  if (found > max_told)
-    told_ones.push_back(fmt::format("{}{} more pairs lie in one plane and overlap",
-                                    pairs.size() < max_pairs ? "" : "at least ", found - max_told));
+  const auto tell = [&](Warnings& pairs_told, Warnings& to) {
+    const std::size_t count = pairs_told.size();
+    pairs_told.resize(std::min(count, max_told));
+    to.insert(to.end(), pairs_told.begin(), pairs_told.end());
+    if (count > max_told)
+      to.push_back(fmt::format("{}{} more pairs lie in one plane and overlap",
+                               pairs.size() < max_pairs ? "" : "at least ", count - max_told));
+  };
+  tell(hanging, observations.remarks);
+  tell(others, observations.warnings);
 }
 
 /// At some place of it: a texture may be black there.
@@ -305,29 +312,23 @@ void about_cut_pulls(const World& world, std::vector<std::string>& remarks) {
 
 }  // namespace
 
-std::vector<std::string> remarks_about(const World& world) {
-  std::vector<std::string> remarks;
-  about_cut_pulls(world, remarks);
-  about_flush_faces(world, true, remarks);
-  remark_on_hidden_quads(world, remarks);
-  about_narrow_view(world, remarks);
-  about_influences(world, remarks);
-  return remarks;
-}
-
-std::vector<std::string> warnings_about(const World& world) {
-  Warnings warnings;
-  about_nothing(world, warnings);
-  about_camera(world, warnings);
-  about_materials(world, warnings);
-  about_masses(world, warnings);
-  about_bound_light(world, warnings);
-  about_hidden_bodies(world, warnings);
-  about_flush_faces(world, false, warnings);
-  warn_about_portals(world, warnings);
-  warn_of_walled_up_portals(world, warnings);
-  about_light(world, warnings);
-  return warnings;
+Observations observations_about(const World& world) {
+  Observations found;
+  about_nothing(world, found.warnings);
+  about_camera(world, found.warnings);
+  about_materials(world, found.warnings);
+  about_masses(world, found.warnings);
+  about_bound_light(world, found.warnings);
+  about_hidden_bodies(world, found.warnings);
+  about_cut_pulls(world, found.remarks);
+  about_flush_faces(world, found);
+  warn_about_portals(world, found.warnings);
+  warn_of_walled_up_portals(world, found.warnings);
+  about_light(world, found.warnings);
+  remark_on_hidden_quads(world, found.remarks);
+  about_narrow_view(world, found.remarks);
+  about_influences(world, found.remarks);
+  return found;
 }
 
 }  // namespace portalens

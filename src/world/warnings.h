@@ -9,11 +9,12 @@ namespace portalens {
 
 struct World;
 
-/// @return sentences, in a fixed order
-[[nodiscard]] std::vector<std::string> warnings_about(const World& world);
+/// Sentences, in a fixed order.
+struct Observations {
+  std::vector<std::string> warnings;  ///< what is probably not meant
+  std::vector<std::string> remarks;   ///< what is as it should be, and worth knowing
+};
 
-/// The camera within the influence of a mass, as in most pictures of lenses: its light is bent from
-/// the start, and what lies beyond the influence is not bent by it.
-[[nodiscard]] std::vector<std::string> remarks_about(const World& world);
+[[nodiscard]] Observations observations_about(const World& world);
 
 }  // namespace portalens

@@ -188,35 +188,28 @@ TEST(ShowLayer, FaultsAreTold) {
 TEST(ImageCommand, DevelopsAsTheHeaderOfAnExrAsks) {
   const SceneFolder folder;
   folder.write("tiny.toml", tiny);
-  const auto run = [&](const std::vector<std::string>& words) {
-    const Outcome outcome = run_portalens(folder.path(), words);
-    EXPECT_EQ(outcome.code, 0) << outcome.errors;
-  };
   const std::vector<std::string> manner = {"--exposure", "-2", "--tone", "filmic"};
   std::vector<std::string> light = {"render", "tiny.toml", "-o", "dark.exr"}, shown = light;
   shown[3] = "shown.png";
   for (auto* words : {&light, &shown}) {
     words->insert(words->end(), manner.begin(), manner.end());
-    run(*words);
+    expect_done(folder, *words);
   }
-  run({"image", "dark.exr", "-o", "same.png"});
+  expect_done(folder, {"image", "dark.exr", "-o", "same.png"});
   EXPECT_EQ(folder.read("same.png"), folder.read("shown.png"));
-  run({"image", "dark.exr", "-o", "linear.png", "--exposure", "0", "--tone", "linear"});
-  run({"render", "tiny.toml", "-o", "plain.png"});
+  expect_done(folder,
+              {"image", "dark.exr", "-o", "linear.png", "--exposure", "0", "--tone", "linear"});
+  expect_done(folder, {"render", "tiny.toml", "-o", "plain.png"});
   EXPECT_EQ(folder.read("linear.png"), folder.read("plain.png"));
 }
 
 TEST(ImageCommand, FromExrToExrKeepsLayersAndHeader) {
   const SceneFolder folder;
   folder.write("tiny.toml", tiny);
-  const auto run = [&](const std::vector<std::string>& words) {
-    const Outcome outcome = run_portalens(folder.path(), words);
-    EXPECT_EQ(outcome.code, 0) << outcome.errors;
-  };
-  run({"render", "tiny.toml", "--layers", "all", "--exposure", "-2"});
-  run({"image", "tiny.exr", "-o", "copy.exr"});
+  expect_done(folder, {"render", "tiny.toml", "--layers", "all", "--exposure", "-2"});
+  expect_done(folder, {"image", "tiny.exr", "-o", "copy.exr"});
   EXPECT_EQ(folder.read("copy.exr"), folder.read("tiny.exr"));
-  run({"image", "tiny.exr", "-o", "bright.exr", "--exposure", "1"});
+  expect_done(folder, {"image", "tiny.exr", "-o", "bright.exr", "--exposure", "1"});
   Faults faults;
   const auto before = read_channels(folder.path() / "tiny.exr", {}, faults);
   const auto after = read_channels(folder.path() / "bright.exr", {}, faults);

@@ -37,18 +37,17 @@ TEST(Render, WritesThePictureBesideTheUserAndSaysWhere) {
 TEST(Render, APngIsDevelopedAnExrKeepsTheLightAndPartsKeepBoth) {
   const SceneFolder folder;
   folder.write("tiny.toml", std::string(tiny));
-  const auto run = [&](std::vector<std::string> words) {
-    const Outcome outcome = run_portalens(folder.path(), words);
-    EXPECT_EQ(outcome.code, 0) << outcome.errors;
-  };
-  run({"render", "tiny.toml", "-o", "plain.exr"});
-  run({"render", "tiny.toml", "-o", "dark.exr", "--exposure", "-2"});
+  expect_done(folder, {"render", "tiny.toml", "-o", "plain.exr"});
+  expect_done(folder, {"render", "tiny.toml", "-o", "dark.exr", "--exposure", "-2"});
   EXPECT_EQ(picture_in(folder, "dark.exr").pixels, picture_in(folder, "plain.exr").pixels);
-  run({"render", "tiny.toml", "-o", "dark.png", "--exposure", "-2", "--tone", "agx-like"});
-  run({"image", "plain.exr", "-o", "same.png", "--exposure", "-2", "--tone", "agx-like"});
+  expect_done(folder,
+              {"render", "tiny.toml", "-o", "dark.png", "--exposure", "-2", "--tone", "agx-like"});
+  expect_done(folder,
+              {"image", "plain.exr", "-o", "same.png", "--exposure", "-2", "--tone", "agx-like"});
   EXPECT_EQ(folder.read("dark.png"), folder.read("same.png"));
-  run({"render", "tiny.toml", "-o", "a.part", "--set", "film.exposure=-2", "--tone", "agx-like"});
-  run({"merge", "a.part", "-o", "merged.png"});
+  expect_done(folder, {"render", "tiny.toml", "-o", "a.part", "--set", "film.exposure=-2", "--tone",
+                       "agx-like"});
+  expect_done(folder, {"merge", "a.part", "-o", "merged.png"});
   EXPECT_EQ(folder.read("merged.png"), folder.read("same.png"));
   const Outcome refused = run_portalens(folder.path(), {"render", "tiny.toml", "--tone", "fimlic"});
   EXPECT_EQ(refused.code, 2);

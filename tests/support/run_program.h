@@ -2,6 +2,7 @@
 /// Running the program itself, as a user's shell does.
 #pragma once
 
+#include <gtest/gtest.h>
 #include <sys/wait.h>
 
 #include <cstdlib>
@@ -46,6 +47,12 @@ inline Outcome run_portalens(const std::filesystem::path& folder,
                              const std::vector<std::string>& arguments,
                              const std::string& input = "") {
   return run_shell(folder, quoted({PORTALENS_PROGRAM}) + quoted(arguments), input);
+}
+
+/// Runs it, and expects that all goes well.
+inline void expect_done(const SceneFolder& folder, const std::vector<std::string>& words) {
+  const Outcome outcome = run_portalens(folder.path(), words);
+  EXPECT_EQ(outcome.code, 0) << outcome.errors;
 }
 
 }  // namespace portalens
