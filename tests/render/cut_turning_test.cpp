@@ -37,8 +37,9 @@ TEST(CutTurning, IsWhatPullsWithoutEndWouldAdd) {
   Random random(20261130);
   int compared = 0;
   for (int i = 0; i < scaled(200); ++i) {
-    const Photon photon = photon_from({random.uniform(-3, 12), random.uniform(-3, 3), 40.0},
-                                      {random.uniform(-3, 12), random.uniform(-3, 3), 0.0});
+    const Vec3d from{random.uniform(-3, 12), random.uniform(-3, 3), 40.0};
+    const Vec3d towards{random.uniform(-3, 12), random.uniform(-3, 3), 0.0};
+    const Photon photon = photon_from(from, towards);
     const Trace with_end = trace_ray(cut, photon, 0), without = trace_ray(whole, photon, 0);
     if (with_end.end.fate != Fate::escaped || without.end.fate != Fate::escaped) continue;
     const auto told = endless.missing_turning(with_end);
