@@ -37,12 +37,11 @@ double flush_within(Vec3d middle, double size) {
 
 /// What all the rays from the places meet within that distance, and how far away the first meets
 /// it.
-template <class DirectionFrom>
 std::optional<SurfaceHit> met_from_all(const Accelerator& surfaces, std::span<const Vec3d> places,
-                                       const DirectionFrom& direction, double low, double high) {
+                                       Vec3d direction, double low, double high) {
   std::optional<SurfaceHit> first;
   for (const Vec3d& place : places) {
-    const auto hit = surfaces.nearest({place, direction(place)}, low, high);
+    const auto hit = surfaces.nearest({place, direction}, low, high);
     if (!hit || (first && hit->shape != first->shape)) return std::nullopt;
     if (!first) first = hit;
   }
@@ -72,9 +71,9 @@ void warn_of_walled_up_portals(const World& world, std::vector<std::string>& war
   std::size_t found = 0;
   for (const Portal& portal : portals.first(std::min(max_asked, portals.size()))) {
     const auto places = places_on(portal.vertices, portal.frame.origin);
-    const auto hit = met_from_all(
-        world.space.surfaces, places, [&](Vec3d) { return portal.frame.normal; },
-        flush_within(portal.frame.origin, portal.longest_edge), close * portal.longest_edge);
+    const auto hit = met_from_all(world.space.surfaces, places, portal.frame.normal,
+                                  flush_within(portal.frame.origin, portal.longest_edge),
+                                  close * portal.longest_edge);
     if (!hit || found++ >= max_told) continue;
     warnings.push_back(fmt::format(
         "{} lies {:.3g} before the front of portal {}: nothing gets through; put the portal into "
@@ -95,9 +94,8 @@ void remark_on_hidden_quads(const World& world, std::vector<std::string>& remark
     const Vec3d middle = quad->center_of_mass();
     const bool before = dot(world.camera.position - middle, quad->normal()) > 0.0;
     const Vec3d towards = before ? quad->normal() : -quad->normal();
-    const auto hit = met_from_all(
-        surfaces, places_on(quad->vertices(), middle), [&](Vec3d) { return towards; },
-        flush_within(middle, size), close * size);
+    const auto hit = met_from_all(surfaces, places_on(quad->vertices(), middle), towards,
+                                  flush_within(middle, size), close * size);
     if (!hit || !carries(surfaces, *hit, middle + towards * hit->distance, *quad) ||
         found++ >= max_told)
       continue;
