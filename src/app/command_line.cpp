@@ -104,6 +104,7 @@ int run_command_line(std::vector<std::string> arguments) {
   spell_out_negative_fractions(arguments);
   spell_out_help(program, arguments);
   ask_for_no_scene(program, arguments);
+  if (const auto fault = missing_value(program, arguments)) throw SceneError({*fault});
   std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them
   try {
     program.parse(std::move(arguments));

@@ -89,6 +89,25 @@ std::optional<Fault> in_our_words(const CLI::App& command, const std::string& te
 
 }  // namespace
 
+std::optional<Fault> missing_value(const CLI::App& program,
+                                   const std::vector<std::string>& arguments) {
+  if (arguments.empty()) return std::nullopt;
+  const auto named = program.get_subcommands(
+      [&](const CLI::App* one) { return one->get_name() == arguments.front(); });
+  if (named.empty()) return std::nullopt;
+  const auto option_called = [&](const std::string& word) {
+    return word.starts_with('-') ? named.front()->get_option_no_throw(word) : nullptr;
+  };
+  for (std::size_t i = 1; i < arguments.size(); ++i) {
+    const CLI::Option* option = option_called(arguments[i]);
+    if (!option || option->get_items_expected_min() == 0) continue;
+    if (i + 1 == arguments.size() || option_called(arguments[i + 1]))
+      return Fault{
+          {}, arguments[i] + " lacks values", "write " + usage_of(*named.front(), arguments[i])};
+  }
+  return std::nullopt;
+}
+
 Fault fault_of(const CLI::App& program, const CLI::ParseError& error) {
   const std::vector<CLI::App*> named = program.get_subcommands();
   if (named.empty()) {

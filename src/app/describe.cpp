@@ -11,6 +11,7 @@
 #include "app/beyond.h"
 #include "app/machine_memory.h"
 #include "app/report.h"
+#include "app/ring_size.h"
 #include "render/manner.h"
 #include "render/parallel.h"
 #include "render/render.h"
@@ -39,9 +40,11 @@ Json bodies_json(const World& world) {
   return bodies;
 }
 
-Json masses_json(const Space& space) {
+Json masses_json(const World& world) {
+  const Space& space = world.space;
   Json masses = Json::array();
-  for (const Mass& mass : space.masses)
+  for (const Mass& mass : space.masses) {
+    const auto ring = ring_pixels(world, mass);
     masses.push_back({{"name", mass.name},
                       {"mass", mass.gm / space.physics.G},
                       {"center", to_json(mass.center)},
@@ -49,7 +52,9 @@ Json masses_json(const Space& space) {
                       {"horizon_radius", mass.has_horizon() ? Json(mass.horizon_radius) : Json()},
                       {"influence_radius", finite_or_null(mass.influence)},
                       {"core_radius", mass.core},
-                      {"horizon", mass.horizon}});
+                      {"horizon", mass.horizon},
+                      {"ring_pixels", ring ? Json(*ring) : Json()}});
+  }
   return masses;
 }
 
@@ -85,6 +90,15 @@ Json camera_json(const Camera& camera) {
           {perspective ? "fov" : "size", perspective ? camera.fov : camera.size}};
 }
 
+Json film_json(const Film& film) {
+  const Development& development = film.development;
+  return {{"width", film.width},
+          {"height", film.height},
+          {"exposure", development.exposure},
+          {"tone", tone_names[static_cast<std::size_t>(development.tone)]},
+          {"white_balance", development.white_balance ? Json(*development.white_balance) : Json()}};
+}
+
 CouplingInput coupling_input(const Space& space) {
   const Physics& physics = space.physics;
   return {space.mouths, space.masses, physics.min_force,
@@ -94,6 +108,11 @@ CouplingInput coupling_input(const Space& space) {
 
 CouplingCost coupling_cost(const Space& space) {
   return estimated_cost(space.physics.portal_gravity, coupling_input(space));
+}
+
+/// Whether a mouth is the reverse of a portal with two sides: those follow the portals.
+bool is_reverse(const Space& space, std::size_t mouth) {
+  return mouth >= space.portals.portals().size();
 }
 
 /// One entry a portal, if gravity is kept in maps.
@@ -112,6 +131,7 @@ Json gravity_json(const Space& space) {
   const std::vector<GravitonMapError> errors = map_errors(space);
   for (std::size_t i = 0; i < errors.size(); ++i)
     json["map_errors"].push_back({{"portal", space.mouths[i].name},
+                                  {"side", is_reverse(space, i) ? "back" : "front"},
                                   {"typical", errors[i].typical},
                                   {"largest", errors[i].largest}});
   return json;
@@ -145,7 +165,8 @@ std::string kinds_text(const std::vector<Body>& bodies) {
   return text.empty() ? "none" : text;
 }
 
-std::string mass_text(const Mass& mass, const Physics& physics) {
+std::string mass_text(const World& world, const Mass& mass) {
+  const Physics& physics = world.space.physics;
   const double schwarzschild = schwarzschild_radius(mass.gm, physics.c);
   std::string text =
       fmt::format("  {}: M = {:.6g} at {}, r_s = {:.6g}, R = {:.6g}", mass.name,
@@ -153,7 +174,10 @@ std::string mass_text(const Mass& mass, const Physics& physics) {
   if (mass.has_horizon() && mass.horizon_radius != schwarzschild)
     text += fmt::format(", light ends at {:.6g}", mass.horizon_radius);
   if (mass.core > 0.0) text += fmt::format(", core {:.6g}", mass.core);
-  return text + (mass.horizon ? "\n" : ", no horizon\n");
+  if (!mass.horizon) text += ", no horizon";
+  if (const auto ring = ring_pixels(world, mass))
+    text += fmt::format("; what is far behind: a ring {:.3g} pixels wide", *ring);
+  return text + '\n';
 }
 
 std::string portal_text(const World& world, const Portal& portal) {
@@ -200,6 +224,19 @@ std::string camera_text(const Camera& camera) {
                      perspective ? camera.fov : camera.size, perspective ? " degrees" : "");
 }
 
+/// What is not as it is by default.
+std::string development_text(const Development& development) {
+  constexpr Development plain;
+  std::string text;
+  if (development.exposure != plain.exposure)
+    text += fmt::format(", exposure {:g} stops", development.exposure);
+  if (development.tone != plain.tone)
+    text += fmt::format(", tone {}", tone_names[static_cast<std::size_t>(development.tone)]);
+  if (development.white_balance)
+    text += fmt::format(", white balance {:g} K", *development.white_balance);
+  return text;
+}
+
 std::string physics_text(const Space& space) {
   const Physics& p = space.physics;
   std::string text =
@@ -218,8 +255,10 @@ std::string gravity_text(const Space& space) {
   if (cost.preparation > 0.0) text += fmt::format(", and {:.3g} once", cost.preparation);
   const std::vector<GravitonMapError> errors = map_errors(space);
   for (std::size_t i = 0; i < errors.size(); ++i)
-    text += fmt::format("\n  map of {}: {:.2g} off closest-point, at worst {:.2g} of the strongest",
-                        space.mouths[i].name, errors[i].typical, errors[i].largest);
+    text +=
+        fmt::format("\n  map of {}{}: {:.2g} off closest-point, at worst {:.2g} of the strongest",
+                    is_reverse(space, i) ? "the back of " : "", space.mouths[i].name,
+                    errors[i].typical, errors[i].largest);
   return text;
 }
 
@@ -254,7 +293,7 @@ Json describe_json(const Scene& scene, const World& world) {
   notes.insert(notes.end(), scene.notes.begin(), scene.notes.end());
   Json json = {{"scene", world.file.string()},
                {"camera", camera_json(world.camera)},
-               {"film", {{"width", world.film.width}, {"height", world.film.height}}},
+               {"film", film_json(world.film)},
                {"samples", world.sampling.samples},
                {"seed", world.sampling.seed},
                {"physics", physics_json(world.space)},
@@ -262,7 +301,7 @@ Json describe_json(const Scene& scene, const World& world) {
                {"environment", environment.image ? Json("image") : to_json(environment.color)},
                {"materials", world.appearance.materials.size()},
                {"objects", bodies_json(world)},
-               {"masses", masses_json(world.space)},
+               {"masses", masses_json(world)},
                {"portals", portals_json(world)},
                {"lights", world.appearance.light_names},
                {"light_powers", powers},
@@ -281,13 +320,13 @@ std::string describe_text(const Scene& scene, const World& world) {
   };
   line("scene", world.file.string());
   line("camera", camera_text(world.camera));
-  line("film", fmt::format("{} x {}, {} samples a pixel", world.film.width, world.film.height,
-                           world.sampling.samples));
+  line("film", fmt::format("{} x {}, {} samples a pixel{}", world.film.width, world.film.height,
+                           world.sampling.samples, development_text(world.film.development)));
   line("physics", physics_text(space));
   if (!space.portals.empty()) line("gravity", "through portals: " + gravity_text(space));
   line("objects", kinds_text(world.appearance.bodies));
   text += listed("masses", std::span<const Mass>(space.masses),
-                 [&](const Mass& mass) { return mass_text(mass, space.physics); });
+                 [&](const Mass& mass) { return mass_text(world, mass); });
   text += listed("portals", space.portals.portals(),
                  [&](const Portal& portal) { return portal_text(world, portal); });
   text += listed("lights", std::span<const Light>(world.appearance.lights),

@@ -144,6 +144,30 @@ Image heat_picture(const Plane& plane, const ValueRange& range, double absent) {
   return image;
 }
 
+Image axes_picture(int width, int height, const std::array<std::span<const float>, 3>& axes,
+                   const ValueRange& range) {
+  Image image(width + legend_width, std::max(height, 6 * line_height), 3);
+  const double span = range.high > range.low ? range.high - range.low : 1.0;
+  const auto share = [&](float value) { return (value - range.low) / span; };
+  for (std::size_t i = 0; i < axes[0].size(); ++i)
+    set(image, static_cast<int>(i % static_cast<std::size_t>(width)),
+        static_cast<int>(i / static_cast<std::size_t>(width)),
+        {share(axes[0][i]), share(axes[1][i]), share(axes[2][i])});
+  const int top = 2 * line_height, bottom = image.height - line_height;
+  constexpr int letter = glyph_width * dot_size;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int left = width + gap + axis * (bar_width + gap) / 2;
+    const Rgb color{axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0};
+    write(image, left, top - line_height, std::string_view("XYZ").substr(axis, 1));
+    for (int y = top; y < bottom; ++y)
+      fill(image, left, y, letter, 1, color * (1.0 - (y - top) / double(bottom - 1 - top)));
+  }
+  const int beside = width + 2 * gap + 3 * (bar_width + gap) / 2;
+  write(image, beside, top, fmt::format("{:.4g}", range.high));
+  write(image, beside, bottom - glyph_height * dot_size, fmt::format("{:.4g}", range.low));
+  return image;
+}
+
 Image number_picture(const Plane& plane, const std::vector<NumberName>& names) {
   Image image = canvas(plane, width_for(names), static_cast<int>(names.size()) + 2);
   paint(image, plane,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,13 @@ struct Plane {
 /// The plane in `heat_color`, with a bar and five numbers to its right. Numbers outside the range
 /// get the colour of its end; where `absent` is given, values from it on are black.
 [[nodiscard]] Image heat_picture(const Plane& plane, const ValueRange& range, double absent);
+
+/// Numbers of three axes as red, green and blue: from 0 at the range's low end to 1 at its high
+/// end. The legend has a bar for each.
+/// @param axes  of x, y and z, each of `width` x `height`
+[[nodiscard]] Image axes_picture(int width, int height,
+                                 const std::array<std::span<const float>, 3>& axes,
+                                 const ValueRange& range);
 
 /// A name for a number in a legend.
 struct NumberName {

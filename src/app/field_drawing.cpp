@@ -15,7 +15,7 @@ namespace {
 
 constexpr double cell_size = 2.0;
 constexpr double arrow_spacing = 40.0;
-constexpr int legend_rows = 52;
+constexpr int legend_rows = 72;
 constexpr double letters = 14.0;       ///< size of the font
 constexpr double label_height = 10.0;  ///< of its capitals
 
@@ -43,9 +43,10 @@ Color color_of(double share) {
   return of_bytes(levels[0], levels[1], levels[2]);
 }
 
-/// Powers of ten between which strengths are told apart.
+/// Powers of ten between which strengths are told apart; nothing pulls where `high` is not above
+/// `low`.
 struct Scale {
-  double low = 0.0, high = 1.0;
+  double low = 0.0, high = 0.0;
 
   [[nodiscard]] double share(double strength) const {
     return (std::log10(strength) - low) / (high - low);
@@ -120,8 +121,10 @@ class FieldArtist {
         },
         [] { return false; });
     strengths_ = scale_of(strengths);
-    for (const double strength : strengths)
+    for (const double strength : strengths) {
       cells.colors.push_back(strength > 0.0 ? color_of(strengths_.share(strength)) : grey);
+      is_partly_free_ = is_partly_free_ || !(strength > 0.0);
+    }
     add(std::move(cells));
   }
 
@@ -181,10 +184,10 @@ class FieldArtist {
       const double forwards = dot(portal.frame.normal, across_);
       at.x += 10.0 * forwards;
       at.y += -10.0 * dot(portal.frame.normal, upwards_) + 0.5 * label_height;
-      label(at, portal.name,
-            forwards > 0.3    ? Anchor::start
-            : forwards < -0.3 ? Anchor::end
-                              : Anchor::middle);
+      add_name(at, portal.name,
+               forwards > 0.3    ? Anchor::start
+               : forwards < -0.3 ? Anchor::end
+                                 : Anchor::middle);
     }
   }
 
@@ -226,8 +229,30 @@ class FieldArtist {
       if (std::isfinite(influence2) && influence2 > 0.0)
         circle(center, std::sqrt(influence2) * scale_, dark);
       add(Disc{center, std::max(4.0, mass.horizon_radius * scale_), black, {}, "mass"});
-      label({center.x + 8.0, center.y - 8.0}, mass.name, Anchor::start);
+      add_name({center.x + 8.0, center.y - 8.0}, mass.name, Anchor::start);
     }
+  }
+
+  /// A label, below those that it would overlap.
+  void add_name(Point at, const std::string& text, Anchor anchor) {
+    const auto left = [](const Label& one) {
+      const double width = text_width(one.text, letters);
+      const double share = one.anchor == Anchor::start ? 0.0
+                           : one.anchor == Anchor::end ? 1.0
+                                                       : 0.5;
+      return one.at.x - share * width;
+    };
+    Label name{at, text, letters, black, anchor, ""};
+    const auto overlaps = [&](const Label& one) {
+      return std::fabs(one.at.y - name.at.y) < letters &&
+             left(one) < left(name) + text_width(text, letters) &&
+             left(name) < left(one) + text_width(one.text, letters);
+    };
+    constexpr int most = 20;
+    for (int i = 0; i < most && std::any_of(names_.begin(), names_.end(), overlaps); ++i)
+      name.at.y += letters;
+    names_.push_back(name);
+    add(std::move(name));
   }
 
   void circle(Point center, double radius, const Color& ink) {
@@ -242,6 +267,17 @@ class FieldArtist {
 
   void draw_legend() {
     const double left = 10.0, right = drawing_.width - 10.0, top = rows_ + 8.0;
+    label({left, top + 60.0}, told(plane_), Anchor::start);
+    const Physics& physics = space_.physics;
+    const std::string what = fmt::format("acceleration; law {}; {}, depth {}", physics.law,
+                                         physics.portal_gravity, physics.portal_gravity_depth);
+    if (strengths_.high <= strengths_.low) {
+      label({left, top + 40.0}, "nothing pulls here: no influence reaches the plane; " + what,
+            Anchor::start);
+      return;
+    }
+    label({left, top + 40.0}, what + (is_partly_free_ ? "; grey: nothing pulls" : ""),
+          Anchor::start);
     Cells bar;
     bar.corner = {left, top};
     bar.size = 2.0;
@@ -258,11 +294,6 @@ class FieldArtist {
       if (x > left + 60.0 && x < right - 60.0) tick(x, top, power, Anchor::middle);
     }
     tick(right, top, strengths_.high, Anchor::end);
-    label({left, top + 40.0},
-          fmt::format("acceleration; {}, depth {}; plane {:.4g} x {:.4g}",
-                      space_.physics.portal_gravity, space_.physics.portal_gravity_depth,
-                      length(plane_.right), length(plane_.up)),
-          Anchor::start);
   }
 
   void tick(double x, double top, double power, Anchor anchor) {
@@ -285,6 +316,8 @@ class FieldArtist {
   double scale_;  ///< pixels a length
   int rows_ = 0;  ///< of the plane, above the legend
   Scale strengths_;
+  bool is_partly_free_ = false;  ///< somewhere nothing pulls
+  std::vector<Label> names_;
   Drawing drawing_;
 };
 

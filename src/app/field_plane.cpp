@@ -1,5 +1,7 @@
 #include "app/field_plane.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <utility>
 
@@ -26,6 +28,12 @@ const FieldPlane& checked(const FieldPlane& plane, const char* option) {
   return plane;
 }
 
+/// How far around a mass its pull is worth a look, where there is nothing else to go by.
+double room_around(const Mass& mass) {
+  if (std::isfinite(mass.influence) && mass.influence > 0.0) return 1.1 * mass.influence;
+  return mass.horizon_radius > 0.0 ? 20.0 * mass.horizon_radius : 1.0;
+}
+
 /// Around masses and portals, with room on all sides.
 Box what_matters(const Space& space) {
   Box box;
@@ -34,7 +42,18 @@ Box what_matters(const Space& space) {
     for (const Vec3d& vertex : portal.vertices) box.add(vertex);
   if (box.empty()) box = space.surfaces.bounds();
   if (box.empty()) box.add(Vec3d{});
-  return box.grown(box.diagonal() > 0.0 ? 0.3 * box.diagonal() : 1.0);
+  if (box.diagonal() > 0.0) return box.grown(0.3 * box.diagonal());
+  return box.grown(space.masses.empty() ? 1.0 : room_around(space.masses.front()));
+}
+
+/// "x from -4 to 4 to the right", or nothing where a side is not along an axis.
+std::string told_side(Vec3d corner, Vec3d side, const char* where) {
+  const double from[] = {corner.x, corner.y, corner.z}, along[] = {side.x, side.y, side.z};
+  for (int k = 0; k < 3; ++k)
+    if (std::fabs(along[k]) == length(side))
+      return fmt::format("{} from {:.4g} to {:.4g} {}", "xyz"[k], from[k], from[k] + along[k],
+                         where);
+  return "";
 }
 
 }  // namespace
@@ -67,6 +86,18 @@ FieldPlane plane_along(const std::string& axes, std::optional<double> cut,
 
 FieldPlane plane_of(const std::array<double, 9>& n) {
   return checked({{n[0], n[1], n[2]}, {n[3], n[4], n[5]}, {n[6], n[7], n[8]}}, "--rectangle");
+}
+
+std::string told(const FieldPlane& plane) {
+  const std::string right = told_side(plane.corner, plane.right, "to the right");
+  const std::string up = told_side(plane.corner, plane.up, "upwards");
+  if (right.empty() || up.empty())
+    return fmt::format("{:.4g} x {:.4g}, lower left corner ({:.4g}, {:.4g}, {:.4g})",
+                       length(plane.right), length(plane.up), plane.corner.x, plane.corner.y,
+                       plane.corner.z);
+  const double at[] = {plane.corner.x, plane.corner.y, plane.corner.z};
+  const int cut = ('x' + 'y' + 'z') - right[0] - up[0] - 'x';
+  return fmt::format("{}, {}; at {} = {:.4g}", right, up, "xyz"[cut], at[cut]);
 }
 
 }  // namespace portalens

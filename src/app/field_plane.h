@@ -31,4 +31,7 @@ struct FieldPlane {
 /// @throws SceneError if that is no rectangle
 [[nodiscard]] FieldPlane plane_of(const std::array<double, 9>& numbers);
 
+/// In words: its axes, and where it cuts the third.
+[[nodiscard]] std::string told(const FieldPlane& plane);
+
 }  // namespace portalens

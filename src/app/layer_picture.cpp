@@ -76,14 +76,13 @@ std::vector<NumberName> number_names(const std::map<int, std::string>& known,
 
 Image vector_picture(const ChannelPicture& picture, const std::string& layer,
                      const std::vector<const Channel*>& channels) {
-  const ValueRange range = layer == "normal"   ? ValueRange{-1.0, 1.0}
-                           : layer == "albedo" ? ValueRange{0.0, 1.0}
-                                               : range_of(channels, no_depth);
+  if (layer != "albedo")
+    return axes_picture(picture.width, picture.height,
+                        {channels[0]->values, channels[1]->values, channels[2]->values},
+                        layer == "normal" ? ValueRange{-1.0, 1.0} : range_of(channels, no_depth));
   Image image(picture.width, picture.height, 3);
-  const double span = range.high > range.low ? range.high - range.low : 1.0;
   for (std::size_t i = 0; i < channels.front()->values.size(); ++i)
-    for (std::size_t c = 0; c < 3; ++c)
-      image.pixels[3 * i + c] = static_cast<float>((channels[c]->values[i] - range.low) / span);
+    for (std::size_t c = 0; c < 3; ++c) image.pixels[3 * i + c] = channels[c]->values[i];
   return image;
 }
 

@@ -137,8 +137,7 @@ void warn(const World& world) {
 /// @throws SceneError, WorkError where it can't
 std::filesystem::path picture_of(const RenderArguments& arguments) {
   const std::string suffix = arguments.layers.empty() && !arguments.scene.from ? ".png" : ".exr";
-  const std::filesystem::path picture =
-      arguments.output.value_or(stem_of(arguments.scene) + suffix);
+  std::filesystem::path picture = arguments.output.value_or(stem_of(arguments.scene) + suffix);
   if (!is_kept(picture) && (arguments.checkpoint || arguments.resume || arguments.restart))
     throw SceneError({{Location{}, "a picture for standard output has no checkpoint",
                        "name a file with -o, or leave --checkpoint, --resume and --restart out"}});

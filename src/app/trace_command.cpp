@@ -35,7 +35,7 @@ namespace {
 
 struct TraceArguments {
   SceneOptions scene;
-  std::vector<double> ray;
+  std::vector<double> rays;  ///< six each
   std::string rays_file;
   std::vector<int> pixels;  ///< x and y in turn
   std::optional<std::uint32_t> sample;
@@ -52,13 +52,17 @@ struct TraceArguments {
 constexpr std::size_t photons_at_once = 4096;
 
 std::vector<Ray> rays_of(const TraceArguments& arguments) {
-  if (!arguments.ray.empty()) {
+  std::vector<Ray> rays;
+  for (std::size_t i = 0; i + 5 < arguments.rays.size(); i += 6) {
     std::array<double, 6> numbers{};
-    std::copy_n(arguments.ray.begin(), 6, numbers.begin());
-    if (const auto ray = ray_of(numbers)) return {*ray};
-    throw SceneError({{Location{}, "--ray has a zero direction, or a number that is not finite",
-                       "x y z dx dy dz are needed, the direction not zero"}});
+    std::copy_n(arguments.rays.begin() + static_cast<std::ptrdiff_t>(i), 6, numbers.begin());
+    const auto ray = ray_of(numbers);
+    if (!ray)
+      throw SceneError({{Location{}, "--ray has a zero direction, or a number that is not finite",
+                         "x y z dx dy dz are needed, the direction not zero"}});
+    rays.push_back(*ray);
   }
+  if (!rays.empty()) return rays;
   if (arguments.rays_file == "-") return read_rays(std::cin, "standard input");
   std::ifstream file(arguments.rays_file);
   if (!file || std::filesystem::is_directory(arguments.rays_file))
@@ -194,8 +198,12 @@ int trace_photons(const TraceArguments& arguments) {
 /// Which photons are followed, and how far. One of the options that are given back is required.
 std::array<CLI::Option*, 3> add_photon_options(CLI::App& command, TraceArguments& arguments) {
   CLI::Option* ray =
-      command.add_option("--ray", arguments.ray, "One photon: where it starts, and its direction")
+      command
+          .add_option("--ray", arguments.rays,
+                      "One photon: where it starts, and its direction; may be repeated")
           ->expected(6)
+          ->take_all()
+          ->allow_extra_args(false)
           ->type_name("X Y Z DX DY DZ");
   CLI::Option* rays =
       command

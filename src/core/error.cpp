@@ -55,7 +55,9 @@ void Faults::add(Location where, std::string problem, std::string remedy) {
   faults_.push_back({std::move(where), std::move(problem), std::move(remedy)});
 }
 
-void Faults::replace(std::size_t index, Fault fault) { faults_[index] = std::move(fault); }
+void Faults::replace(std::size_t index, Location where, std::string problem, std::string remedy) {
+  faults_[index] = {std::move(where), std::move(problem), std::move(remedy)};
+}
 
 void Faults::raise() const {
   if (!faults_.empty()) throw SceneError(faults_);

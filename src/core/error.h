@@ -41,7 +41,7 @@ class Faults {
  public:
   void add(Location where, std::string problem, std::string remedy);
   /// Puts a fault in place of the one that was the `index`th to be added.
-  void replace(std::size_t index, Fault fault);
+  void replace(std::size_t index, Location where, std::string problem, std::string remedy);
   [[nodiscard]] bool empty() const { return faults_.empty(); }
   [[nodiscard]] std::size_t size() const { return faults_.size(); }
 

@@ -272,12 +272,13 @@ void Parameters::finish() {
   const std::vector<std::string> known(known_.begin(), known_.end());
   for (const auto& [key, value] : table_->entries) {
     if (known_.count(key) > 0) continue;
-    const Fault fault{value.where, "unknown key " + in_quotes(key), suggestion_or_list(key, known)};
+    const std::string problem = "unknown key " + in_quotes(key);
+    const std::string remedy = suggestion_or_list(key, known);
     const auto meant = missing_.find(suggestion(key, known));
     if (meant == missing_.end()) {
-      faults_->add(fault.where, fault.problem, fault.remedy);
+      faults_->add(value.where, problem, remedy);
     } else {
-      faults_->replace(meant->second, fault);
+      faults_->replace(meant->second, value.where, problem, remedy);
       missing_.erase(meant);
     }
   }

@@ -175,6 +175,19 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return above[b.size()];
 }
 
+/// The one known word that begins so; nothing if there are several, or the beginning is short.
+std::string begun_with(std::string_view beginning, const std::vector<std::string>& known) {
+  constexpr std::size_t least = 3;
+  if (beginning.size() < least) return {};
+  std::string found;
+  for (const std::string& candidate : known) {
+    if (!bare(candidate).starts_with(beginning)) continue;
+    if (!found.empty()) return {};
+    found = candidate;
+  }
+  return found;
+}
+
 bool is_control(char letter) {
   const auto code = static_cast<unsigned char>(letter);
   return code < 0x20 || code == 0x7f;
@@ -229,7 +242,7 @@ std::string suggestion(std::string_view word, const std::vector<std::string>& kn
       best = candidate;
     }
   }
-  return best;
+  return best.empty() ? begun_with(meant, known) : best;
 }
 
 std::string suggestion_or_list(std::string_view word, const std::vector<std::string>& known) {

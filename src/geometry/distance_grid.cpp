@@ -82,24 +82,23 @@ void cover_triangle(Cover& cover, const CellsMet& cells_met, const std::array<Ve
 
 /// What lies between two cells of a line, in sides of a cell, squared.
 std::uint32_t gap2(int apart) {
-  const int between = std::max(apart - 1, 0);
-  return static_cast<std::uint32_t>(between * between);
+  const auto between = static_cast<std::uint32_t>(std::max(apart - 1, 0));
+  return between * between;
 }
 
 /// The least of value + gap² over each line of cells along one axis, for each of its cells.
 void spread_along(std::vector<std::uint32_t>& cells, std::size_t stride, int count) {
   std::vector<std::uint32_t> line(static_cast<std::size_t>(count));
+  const auto value = [&](int place) { return line[static_cast<std::size_t>(place)]; };
   for (std::size_t first = 0; first < cells.size(); ++first) {
     if (first / stride % static_cast<std::size_t>(count) != 0) continue;
     for (int i = 0; i < count; ++i)
       line[static_cast<std::size_t>(i)] = cells[first + static_cast<std::size_t>(i) * stride];
     for (int i = 0; i < count; ++i) {
-      std::uint32_t least = line[static_cast<std::size_t>(i)];
+      std::uint32_t least = value(i);
       for (int apart = 1; apart < count && gap2(apart) < least; ++apart) {
-        if (i >= apart)
-          least = std::min(least, line[static_cast<std::size_t>(i - apart)] + gap2(apart));
-        if (i + apart < count)
-          least = std::min(least, line[static_cast<std::size_t>(i + apart)] + gap2(apart));
+        if (i >= apart) least = std::min(least, value(i - apart) + gap2(apart));
+        if (i + apart < count) least = std::min(least, value(i + apart) + gap2(apart));
       }
       cells[first + static_cast<std::size_t>(i) * stride] = least;
     }

@@ -71,7 +71,8 @@ void FlushBuilder::write(FlushFaces& out) {
     const std::uint32_t base = root(i);
     if (plane_of[base] == LeftPlane::none) {
       plane_of[base] = out.plane_count();
-      out.planes_.push_back({faces_[base].normal, 0.0});
+      const Vec3d normal = faces_[base].normal;
+      out.planes_.push_back({normal, dot(normal, faces_[base].hull.front()), 0.0});
     }
     FlushFaces::Plane& plane = out.planes_[plane_of[base]];
     plane.thickness = std::max(plane.thickness, tolerance_of(faces_[i], faces_[base]));
@@ -105,18 +106,22 @@ const FlushFaces::Place* FlushFaces::find_among(std::uint32_t begin, std::uint32
   return at != last && at->face.face == face ? &*at : nullptr;
 }
 
-std::vector<std::pair<std::uint32_t, std::uint32_t>> FlushFaces::overlaps(std::size_t most) const {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+std::vector<FlushFaces::Overlap> FlushFaces::overlaps(std::size_t most) const {
+  std::vector<Overlap> pairs;
   for (const Place& place : places_)
     for (const FaceId& seen : over(place)) {
       if (pairs.size() == most) break;
       const auto* other = find(seen.object, seen.face);
       const auto back = over(*other);
       const bool both = std::find(back.begin(), back.end(), place.face) != back.end();
-      if (!both || seen < place.face) pairs.emplace_back(seen.object, place.face.object);
+      const Plane& plane = planes_[place.plane];
+      if (!both || seen < place.face)
+        pairs.push_back({seen.object, place.face.object, plane.normal * other->side,
+                         plane.height * other->side});
     }
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  std::stable_sort(pairs.begin(), pairs.end(), [](const Overlap& a, const Overlap& b) {
+    return std::pair(a.seen, a.hidden) < std::pair(b.seen, b.hidden);
+  });
   return pairs;
 }
 

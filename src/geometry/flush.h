@@ -81,7 +81,14 @@ class FlushFaces {
   /// What faces of one plane share.
   struct Plane {
     Vec3d normal;
+    double height = 0.0;     ///< along the normal, from the origin
     double thickness = 0.0;  ///< no two of them are further apart
+  };
+  /// Objects that share an area in one plane.
+  struct Overlap {
+    std::uint32_t seen, hidden;  ///< there
+    Vec3d normal;                ///< of the face that is seen
+    double height;               ///< of the plane along it, from the origin
   };
 
   FlushFaces() = default;
@@ -104,11 +111,10 @@ class FlushFaces {
   [[nodiscard]] std::span<const FaceId> over(const Place& place) const {
     return std::span(over_).subspan(place.first_over, place.end_over - place.first_over);
   }
-  /// Objects that share an area in one plane, each pair once: which is seen there, and which is
-  /// not. Of two openings the first is said to be seen.
+  /// Objects that share an area in one plane, by the pair. Of two openings the first is said to be
+  /// seen.
   /// @param most  no more are looked for
-  [[nodiscard]] std::vector<std::pair<std::uint32_t, std::uint32_t>> overlaps(
-      std::size_t most) const;
+  [[nodiscard]] std::vector<Overlap> overlaps(std::size_t most) const;
   /// Whether any shape lies in the plane of something else.
   [[nodiscard]] bool any_shapes() const { return any_shapes_; }
   [[nodiscard]] LeftPlane left_by(const SelfIntersectionGuard& guard) const;

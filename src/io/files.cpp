@@ -69,7 +69,7 @@ bool is_temporary(std::string_view name) {
       name.substr(name.size() - temporary_suffix.size()) != temporary_suffix)
     return false;
   const std::string_view numbers = name.substr(temporary_prefix.size(), name.size() - around);
-  return numbers.find_first_not_of("0123456789-") == numbers.npos;
+  return numbers.find_first_not_of("0123456789-") == std::string_view::npos;
 }
 
 /// Removes the temporary files of programs that were killed. Nobody writes for an hour without a
@@ -135,7 +135,7 @@ class Temporary {
 fs::path behind_links(const fs::path& file) {
   std::error_code error;
   if (!fs::is_symlink(file, error)) return file;
-  const fs::path target = fs::weakly_canonical(file, error);
+  fs::path target = fs::weakly_canonical(file, error);
   if (error) give_up(file, error.message());
   return target;
 }

@@ -44,7 +44,7 @@ class HeaderCursor {
   }
   std::string_view text() {
     const std::size_t end = bytes_.find('\0', at_);
-    if (end == bytes_.npos) refuse_as_broken("its header is cut off");
+    if (end == std::string_view::npos) refuse_as_broken("its header is cut off");
     const std::string_view taken = take(end - at_);
     take(1);
     return taken;

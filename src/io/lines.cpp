@@ -39,7 +39,7 @@ bool LineReader::next() {
       ++passed_;
       piece = piece.substr(0, std::min(piece.find('#'), piece.size()));
       const std::size_t last = piece.find_last_not_of(space);
-      goes_on = last != piece.npos && piece[last] == '\\';
+      goes_on = last != std::string_view::npos && piece[last] == '\\';
       split(goes_on ? piece.substr(0, last) : piece);
     }
   }
@@ -48,7 +48,7 @@ bool LineReader::next() {
 
 void LineReader::split(std::string_view text) {
   std::size_t begin = text.find_first_not_of(space);
-  while (begin != text.npos) {
+  while (begin != std::string_view::npos) {
     const std::size_t end = std::min(text.find_first_of(space, begin), text.size());
     words_.push_back(text.substr(begin, end - begin));
     begin = text.find_first_not_of(space, end);
@@ -62,7 +62,7 @@ std::string LineReader::rest(std::size_t from) const {
   const char* const end = words_.back().data() + words_.back().size();
   const std::string_view whole = text_.substr(static_cast<std::size_t>(begin - text_.data()),
                                               static_cast<std::size_t>(end - begin));
-  return std::string(whole.find('\n') == whole.npos ? whole : words_[from]);
+  return std::string(whole.find('\n') == std::string_view::npos ? whole : words_[from]);
 }
 
 }  // namespace portalens

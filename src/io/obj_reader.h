@@ -21,7 +21,7 @@ namespace portalens {
 /// statement, so that all the faults are found.
 class ObjReader {
  public:
-  ObjReader(std::string_view text, std::shared_ptr<const std::string> file, Scene& scene);
+  ObjReader(std::string_view source, std::shared_ptr<const std::string> file, Scene& scene);
 
   void read();
 
@@ -77,14 +77,14 @@ class ObjReader {
   bool numbers(std::span<double> values);
   std::optional<std::int64_t> whole(std::int64_t low);
   std::optional<Corner> corner();
-  bool corners(std::vector<Corner>& list, std::size_t low, std::size_t high);
+  bool corners(std::vector<Corner>& found, std::size_t low, std::size_t high);
 
   // Values and objects.
   [[nodiscard]] Location here() const { return {file_, statement_.line}; }
   [[nodiscard]] Value number(double value) const;
   [[nodiscard]] Value text(std::string value) const;
   [[nodiscard]] Value list(std::span<const double> values) const;
-  [[nodiscard]] Value polygon(const std::vector<Corner>& list) const;
+  [[nodiscard]] Value polygon(const std::vector<Corner>& found) const;
   void add_object(Table table);
 
   void unknown(const Token& token);

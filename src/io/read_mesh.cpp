@@ -111,9 +111,9 @@ class MeshReader {
   /// Its first two statements are none of OBJ: so will the others be.
   void refuse_as_other() {
     is_other_ = true;
-    faults_->replace(before_, {{file_, 0},
-                               "this is no OBJ mesh: it begins with statements that OBJ lacks",
-                               "name a Wavefront .obj file"});
+    faults_->replace(before_, {file_, 0},
+                     "this is no OBJ mesh: it begins with statements that OBJ lacks",
+                     "name a Wavefront .obj file");
   }
 
   /// The first three of `low` to `high` numbers, each of which must be one.
@@ -271,7 +271,12 @@ MeshFile read_mesh(const std::filesystem::path& file, const Location& asked_at,
     return {};
   }
   try {
-    return MeshReader(*text, file, wanted, faults, digests).read();
+    const std::size_t before = faults.size();
+    MeshFile mesh = MeshReader(*text, file, wanted, faults, digests).read();
+    if (faults.size() > before && asked_at.file)
+      faults.add(asked_at, "the mesh " + in_quotes(file.filename().string()) + " has faults",
+                 "mend them there");
+    return mesh;
   } catch (const std::bad_alloc&) {
     faults.add(asked_at, "no memory for the mesh " + file.filename().string(),
                "use a coarser mesh");

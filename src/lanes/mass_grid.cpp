@@ -40,9 +40,10 @@ void MassGrid::choose_size() {
       high[a] = std::max(high[a], double{center[a]} + radii.back());
     }
   }
-  std::nth_element(radii.begin(), radii.begin() + radii.size() / 2, radii.end());
+  const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
+  std::nth_element(radii.begin(), middle, radii.end());
   const double widest = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
-  size_ = std::max(size_share * radii[radii.size() / 2], 1e-3 * widest);
+  size_ = std::max(size_share * *middle, 1e-3 * widest);
   if (!(size_ > 0.0)) size_ = 1.0;  // nothing acts anywhere
   for (;; size_ *= 1.25) {
     double cells = 1.0, entries = 0.0;
@@ -92,10 +93,11 @@ template <class Callback>
 void MassGrid::for_each_cell(const LaneMass& mass, const Callback& callback) const {
   const Range range = range_of(mass);
   for (int k = range.low[2]; k <= range.high[2]; ++k)
-    for (int j = range.low[1]; j <= range.high[1]; ++j)
+    for (int j = range.low[1]; j <= range.high[1]; ++j) {
+      const std::ptrdiff_t row = std::ptrdiff_t{k} * cells_[1] + j;
       for (int i = range.low[0]; i <= range.high[0]; ++i)
-        if (meets(mass, i, j, k))
-          callback(static_cast<std::size_t>((k * cells_[1] + j) * cells_[0] + i));
+        if (meets(mass, i, j, k)) callback(static_cast<std::size_t>(row * cells_[0] + i));
+    }
 }
 
 void MassGrid::fill() {

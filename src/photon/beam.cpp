@@ -49,19 +49,23 @@ BeamGuard::BeamGuard(const Space& space) : space_(&space) {
   }
   const auto portals = space.portals.portals();
   for (std::uint32_t i = 0; i < portals.size(); ++i) {
-    // In sections of four corners, or three.
-    for (const std::vector<Vec3d>& corners : pieces_of(portals[i]))
-      for (std::size_t k = 1; k + 1 < corners.size(); k += 2) {
-        const std::array<Vec3d, 4> section = {corners[0], corners[k], corners[k + 1],
-                                              corners[std::min(k + 2, corners.size() - 1)]};
-        const std::size_t count = std::min<std::size_t>(4, corners.size() - k + 1);
-        const Quad face(std::span<const Vec3d>(section).first(count));
-        add(&faces_.emplace_back(face), face.bounds(), Met::portal_back, i);
-      }
+    for (const std::vector<Vec3d>& piece : pieces_of(portals[i])) add(piece, Met::portal_back, i);
+    for (const std::vector<Vec3d>& gap : gaps_of(portals[i])) add(gap, Met::nothing, i);
   }
   for (std::uint32_t i = 0; i < space.masses.size(); ++i) {
     const Mass& mass = space.masses[i];
     if (mass.has_horizon()) add(nullptr, mass.center, mass.horizon_radius, Met::mass, i);
+  }
+}
+
+/// In quads, and a triangle.
+void BeamGuard::add(std::span<const Vec3d> corners, Met kind, std::uint32_t index) {
+  for (std::size_t k = 1; k + 1 < corners.size(); k += 2) {
+    const std::array<Vec3d, 4> part = {corners[0], corners[k], corners[k + 1],
+                                       corners[std::min(k + 2, corners.size() - 1)]};
+    const std::size_t count = std::min<std::size_t>(4, corners.size() - k + 1);
+    const Quad face(std::span<const Vec3d>(part).first(count));
+    add(&faces_.emplace_back(face), face.bounds(), kind, index);
   }
 }
 
@@ -76,7 +80,7 @@ void BeamGuard::add(const Shape* shape, Vec3d center, double radius, Met kind,
   const double lost = length(center - Vec3d{near.x, near.y, near.z});
   const auto near_radius = static_cast<float>((radius + lost) * (1.0 + 1e-5));
   const Reached near_center{near.x, near.y, near.z, 0.0f};
-  const bool flat = shape && std::holds_alternative<Quad>(*shape);
+  const bool flat = shape && std::holds_alternative<Quad>(*shape) && kind != Met::nothing;
   const FlushFaces& flush = space_->surfaces.flush();
   const auto shape_count = static_cast<std::uint32_t>(space_->surfaces.shapes().size());
   const std::uint32_t number = kind == Met::portal_back ? shape_count + index : index;
@@ -103,6 +107,8 @@ bool BeamGuard::sinks(const Obstacle& obstacle, const BeamSection& section,
 bool BeamGuard::met(const Obstacle& obstacle, const BeamSection& section, const BeamSection& final,
                     const PathRecord& record, const Arrival& end) const {
   const bool last = section.stretch == record.crossings();
+  if (obstacle.kind == Met::nothing)
+    return !section.arrives || last || record.portal_after(section.stretch) != obstacle.index;
   if (obstacle.kind != Met::portal_back)
     return last && end.met == obstacle.kind && end.object == obstacle.index &&
            (section.arrives || sinks(obstacle, section, final));

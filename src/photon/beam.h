@@ -47,7 +47,9 @@ class BeamGuard {
     double radius;
     Reached near_center;  ///< the same to the next float
     float near_radius;
-    Met kind;             ///< `portal_back` for either side of a portal
+    /// `portal_back` for either side of a portal; `nothing` for a gap between corners of a portal
+    /// that is not convex: light that others enter the portal with may go through it.
+    Met kind;
     std::uint32_t index;  ///< of the shape, the portal, or the mass
     /// Of a quad or a portal in whose plane something else lies, else null.
     const FlushFaces::Place* place;
@@ -55,10 +57,12 @@ class BeamGuard {
 
   explicit BeamGuard(const Space& space);
 
+  void add(std::span<const Vec3d> corners, Met kind, std::uint32_t index);
   void add(const Shape* shape, const Box& box, Met kind, std::uint32_t index);
   void add(const Shape* shape, Vec3d center, double radius, Met kind, std::uint32_t index);
   [[nodiscard]] static bool sinks(const Obstacle& obstacle, const BeamSection& section,
                                   const BeamSection& final);
+  /// Whether what the light meets there is what the path records tell of.
   /// @param final  the last section of the beam
   [[nodiscard]] bool met(const Obstacle& obstacle, const BeamSection& section,
                          const BeamSection& final, const PathRecord& record,

@@ -23,7 +23,7 @@ struct Space {
         std::optional<Vec3d> viewpoint = std::nullopt);
 
   /// How a path leaves the plane of a portal, over its front or its back as `direction` says.
-  [[nodiscard]] SelfIntersectionGuard leaving_portal(std::uint32_t portal, Vec3d position,
+  [[nodiscard]] SelfIntersectionGuard leaving_portal(std::uint32_t index, Vec3d position,
                                                      Vec3d direction) const;
 
   Physics physics;

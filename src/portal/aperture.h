@@ -29,6 +29,7 @@
 ///   edges() const;     in order, none of what is curved
 ///   outline() const;   corners, counter-clockwise; of a curved rim, those of a polygon around it
 ///   std::vector<std::vector<Vec3d>> pieces() const;  convex polygons that make up the outline
+///   std::vector<std::vector<Vec3d>> gaps() const;    those that it lacks to be convex itself
 ///   PlaneBox box() const;                            just around it
 ///   double size() const;                             its longest edge, or diameter
 ///   double area() const;

@@ -106,11 +106,45 @@ double ConcavePolygon::distance_to_discontinuity(Vec3d local, double tolerance) 
   return bound;
 }
 
-std::vector<std::vector<Vec3d>> ConcavePolygon::pieces() const {
+namespace {
+
+double twice_area(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+std::vector<std::vector<Vec3d>> triangles_of(const std::vector<Vec3d>& corners) {
   std::vector<std::vector<Vec3d>> triangles;
-  for (const auto& [a, b, c] : triangulate(corners_))
-    triangles.push_back({corners_[a], corners_[b], corners_[c]});
+  for (const auto& [a, b, c] : triangulate(corners))
+    triangles.push_back({corners[a], corners[b], corners[c]});
   return triangles;
+}
+
+}  // namespace
+
+std::vector<std::vector<Vec3d>> ConcavePolygon::pieces() const { return triangles_of(corners_); }
+
+std::vector<std::vector<Vec3d>> ConcavePolygon::gaps() const {
+  const auto lowest = std::min_element(corners_.begin(), corners_.end(), [](auto& a, auto& b) {
+    return a.y != b.y ? a.y < b.y : a.x < b.x;
+  });
+  std::vector<Vec3d> round(lowest, corners_.end());
+  round.insert(round.end(), corners_.begin(), lowest + 1);
+  const double least = 1e-9 * size() * size();
+  std::vector<std::vector<Vec3d>> gaps;
+  // From a corner of the hull to the next: the one that no other lies to the right of. Corners of
+  // the hull follow each other as those of the polygon do.
+  for (std::size_t from = 0; from + 1 < round.size();) {
+    std::size_t to = from + 1;
+    for (std::size_t i = to + 1; i < round.size(); ++i)
+      if (twice_area(round[from], round[to], round[i]) < 0.0) to = i;
+    if (to > from + 1)
+      for (auto& triangle : triangles_of({round.begin() + static_cast<std::ptrdiff_t>(from),
+                                          round.begin() + static_cast<std::ptrdiff_t>(to) + 1}))
+        if (std::fabs(twice_area(triangle[0], triangle[1], triangle[2])) > least)
+          gaps.push_back(std::move(triangle));
+    from = to;
+  }
+  return gaps;
 }
 
 namespace {

@@ -47,6 +47,7 @@ class ConcavePolygon {
   }
   [[nodiscard]] const std::vector<Vec3d>& outline() const { return corners_; }
   [[nodiscard]] std::vector<std::vector<Vec3d>> pieces() const;
+  [[nodiscard]] std::vector<std::vector<Vec3d>> gaps() const;
   [[nodiscard]] PlaneBox box() const { return box_; }
   [[nodiscard]] double size() const { return longest_of(edges_); }
   [[nodiscard]] double area() const { return area_of(corners_); }

@@ -73,6 +73,7 @@ class ConvexPolygon {
   }
   [[nodiscard]] const std::vector<Vec3d>& outline() const { return corners_; }
   [[nodiscard]] std::vector<std::vector<Vec3d>> pieces() const { return {corners_}; }
+  [[nodiscard]] std::vector<std::vector<Vec3d>> gaps() const { return {}; }
   [[nodiscard]] PlaneBox box() const { return box_of(corners_); }
   [[nodiscard]] double size() const { return longest_of(edges_); }
   [[nodiscard]] double area() const { return area_of(corners_); }

@@ -49,6 +49,7 @@ class Ellipse {
   /// Touches it in as many points as it has corners.
   [[nodiscard]] std::vector<Vec3d> outline() const;
   [[nodiscard]] std::vector<std::vector<Vec3d>> pieces() const { return {outline()}; }
+  [[nodiscard]] std::vector<std::vector<Vec3d>> gaps() const { return {}; }
   [[nodiscard]] PlaneBox box() const { return {-a_, -b_, a_, b_}; }
   [[nodiscard]] double size() const { return 2.0 * std::fmax(a_, b_); }
   [[nodiscard]] double area() const;

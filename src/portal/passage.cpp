@@ -13,8 +13,9 @@ struct List<std::variant<Types...>> {
   static Passage make(const PassageInput& input) {
     Passage made;
     const auto takes = [&](auto passage) {
-      if (passage) made = *std::move(passage);
-      return passage.has_value();
+      const bool fits = passage.has_value();
+      if (fits) made = *std::move(passage);
+      return fits;
     };
     [[maybe_unused]] const bool taken = (takes(Types::between(input)) || ...);
     assert(taken);

@@ -39,12 +39,26 @@ void give_face(Portal& portal, const FaceInput& input) {
     portal.vertices.push_back(portal.frame.to_world(corner));
 }
 
+namespace {
+
+std::vector<std::vector<Vec3d>> in_space(const Frame& frame,
+                                         std::vector<std::vector<Vec3d>> polygons) {
+  for (std::vector<Vec3d>& polygon : polygons)
+    for (Vec3d& corner : polygon) corner = frame.to_world(corner);
+  return polygons;
+}
+
+}  // namespace
+
 std::vector<std::vector<Vec3d>> pieces_of(const Portal& portal) {
   if (std::holds_alternative<ConvexPolygon>(portal.aperture)) return {portal.vertices};
-  auto pieces = std::visit([](const auto& a) { return a.pieces(); }, portal.aperture);
-  for (std::vector<Vec3d>& piece : pieces)
-    for (Vec3d& corner : piece) corner = portal.frame.to_world(corner);
-  return pieces;
+  return in_space(portal.frame,
+                  std::visit([](const auto& a) { return a.pieces(); }, portal.aperture));
+}
+
+std::vector<std::vector<Vec3d>> gaps_of(const Portal& portal) {
+  return in_space(portal.frame,
+                  std::visit([](const auto& a) { return a.gaps(); }, portal.aperture));
 }
 
 Aperture aperture_at(const Portal& portal, const std::vector<Vec3d>& vertices, const Frame& frame) {

@@ -49,6 +49,8 @@ void give_face(Portal& portal, const FaceInput& input);
 
 /// Convex polygons in space that make up a portal's face; of a curved one they are a little more.
 [[nodiscard]] std::vector<std::vector<Vec3d>> pieces_of(const Portal& portal);
+/// Those that its face lacks to be convex itself.
+[[nodiscard]] std::vector<std::vector<Vec3d>> gaps_of(const Portal& portal);
 
 /// A portal's aperture where its face is carried elsewhere, or turned over.
 [[nodiscard]] Aperture aperture_at(const Portal& portal, const std::vector<Vec3d>& vertices,

@@ -50,7 +50,7 @@ class PortalSet {
   [[nodiscard]] std::optional<PortalContact> nearest(const Ray& ray, double low, double high,
                                                      const LeftPlane& left = {}) const;
   /// Whether a ray may meet that portal at a place of its plane, and from which side.
-  [[nodiscard]] std::optional<PortalSide> met_at(std::uint32_t portal, const Ray& ray,
+  [[nodiscard]] std::optional<PortalSide> met_at(std::uint32_t index, const Ray& ray,
                                                  Vec3d place) const;
   /// What is met in the place of a contact: it, or another portal that lies in its plane.
   /// @param ray  at its distance it meets the portal
@@ -62,7 +62,7 @@ class PortalSet {
   [[nodiscard]] bool near(const Segment& segment, double radius) const;
   /// Contact of the ray's line with the portal's plane nearest to distance 0, if within its
   /// face.
-  [[nodiscard]] std::optional<double> contact_near(std::uint32_t portal, const Ray& ray,
+  [[nodiscard]] std::optional<double> contact_near(std::uint32_t index, const Ray& ray,
                                                    double reach) const;
 
  private:

@@ -71,26 +71,6 @@ std::string better_order(const std::vector<Vec3d>& a, const Portal& b) {
   return order;
 }
 
-std::string remedy_for(const Portal& a, const Portal& b) {
-  if (a.aperture.index() != b.aperture.index())
-    return "give two faces of the same kind, size and shape";
-  if (is_curved(a.aperture)) return "give both the same radii, to 1e-6 of the longer diameter";
-  if (a.vertices.size() == b.vertices.size()) {
-    if (std::string order = better_order(a.vertices, b); !order.empty()) return order;
-  }
-  return "give two polygons of the same size and shape, mirror images of each other, to 1e-6 of "
-         "the "
-         "longest edge: v0, v1 of one correspond to v1, v0 of the other";
-}
-
-/// By its vertices, or what stands for them.
-std::string face_of(const Portal& portal) {
-  if (!is_curved(portal.aperture)) return written(portal.vertices);
-  const PlaneBox box = box_of(portal.aperture);
-  return fmt::format("{} of radii {:.6g} and {:.6g}", name_of(portal.aperture),
-                     0.5 * (box.high_x - box.low_x), 0.5 * (box.high_y - box.low_y));
-}
-
 }  // namespace
 
 void PortalReader::read(Parameters& parameters, const std::string& name, MaterialList& materials,
@@ -98,6 +78,7 @@ void PortalReader::read(Parameters& parameters, const std::string& name, Materia
   Read read;
   read.where = parameters.where();
   read.shape = parameters.where(shape_key(parameters));
+  read.by_size = shape_key(parameters) == "size";
   read.pair_where = parameters.where("pair");
   read.pair = parameters.text("pair");
   Portal& portal = read.portal;
@@ -157,6 +138,34 @@ void PortalReader::check_backs(const Read& a, const Read& b) const {
                "give back = \"portal\" to both, or to neither");
 }
 
+std::string PortalReader::remedy_for(const Read& first, const Read& second) {
+  const Portal &a = first.portal, &b = second.portal;
+  if (first.by_size && second.by_size) return "give both the same size";
+  if (a.aperture.index() != b.aperture.index())
+    return "give two faces of the same kind, size and shape";
+  if (is_curved(a.aperture)) return "give both the same radii, to 1e-6 of the longer diameter";
+  if (first.by_size || second.by_size)
+    return fmt::format("give {} a center, a facing and the size of {}, too, or both their vertices",
+                       in_quotes(first.by_size ? b.name : a.name),
+                       in_quotes(first.by_size ? a.name : b.name));
+  if (a.vertices.size() == b.vertices.size()) {
+    if (std::string order = better_order(a.vertices, b); !order.empty()) return order;
+  }
+  return "give two polygons of the same size and shape, mirror images of each other, to 1e-6 of "
+         "the longest edge: v0, v1 of one correspond to v1, v0 of the other";
+}
+
+/// By its vertices, or what stands for them.
+std::string PortalReader::face_of(const Read& read) {
+  const Portal& portal = read.portal;
+  const PlaneBox box = box_of(portal.aperture);
+  const double width = box.high_x - box.low_x, height = box.high_y - box.low_y;
+  if (read.by_size) return fmt::format("of size {:.6g} x {:.6g}", width, height);
+  if (!is_curved(portal.aperture)) return written(portal.vertices);
+  return fmt::format("{} of radii {:.6g} and {:.6g}", name_of(portal.aperture), 0.5 * width,
+                     0.5 * height);
+}
+
 void PortalReader::check_congruent(const Read& a, const Read& b) const {
   const double error = mismatch(a.portal.aperture, b.portal.aperture);
   if (error <= congruent) return;
@@ -171,8 +180,8 @@ void PortalReader::check_congruent(const Read& a, const Read& b) const {
   faults_->add(
       b.shape,
       fmt::format("portals {} ({}) and {} ({}) are not congruent: {}", in_quotes(a.portal.name),
-                  face_of(a.portal), in_quotes(b.portal.name), face_of(b.portal), how),
-      remedy_for(a.portal, b.portal));
+                  face_of(a), in_quotes(b.portal.name), face_of(b), how),
+      remedy_for(a, b));
 }
 
 std::vector<Portal> PortalReader::join() {

@@ -31,12 +31,15 @@ class PortalReader {
     std::string pair;
     Location where, shape, pair_where, back;
     FaceInput face;
-    bool sound = false;  ///< it has a face
+    bool by_size = false;  ///< not by its corners or radii
+    bool sound = false;    ///< it has a face
   };
 
   [[nodiscard]] std::optional<std::uint32_t> partner(std::uint32_t index) const;
   void check_backs(const Read& a, const Read& b) const;
   void check_congruent(const Read& a, const Read& b) const;
+  [[nodiscard]] static std::string remedy_for(const Read& a, const Read& b);
+  [[nodiscard]] static std::string face_of(const Read& read);
 
   Faults* faults_;
   std::vector<Read> portals_;

@@ -12,6 +12,8 @@
 
 #include "core/words.h"
 #include "gravity/bound_light.h"
+#include "world/enclosed_warnings.h"
+#include "world/flush_warnings.h"
 #include "world/hidden_warnings.h"
 #include "world/portal_warnings.h"
 #include "world/world.h"
@@ -160,64 +162,6 @@ void about_hidden_bodies(const World& world, Warnings& warnings) {
   }
 }
 
-/// How large a shape is: the diagonal of its box.
-double extent_of(const Shape& shape) {
-  const Box box = std::visit([](const auto& one) { return one.bounds(); }, shape);
-  return length(box.high - box.low);
-}
-
-/// A picture on a wall, not one of two equal surfaces in one place.
-bool hangs_on(const Shape& seen, const Shape& hidden) {
-  constexpr double clearly = 0.999;
-  return extent_of(seen) < clearly * extent_of(hidden);
-}
-
-/// What lies in one plane and shares an area: what hangs on something larger is a remark, any other
-/// pair a warning.
-void about_flush_faces(const World& world, Observations& observations) {
-  const auto portals = world.space.portals.portals();
-  const auto& shapes = world.space.surfaces.shapes();
-  const std::size_t shape_count = shapes.size();
-  const auto name = [&](std::uint32_t object) {
-    return in_quotes(object < shape_count ? world.appearance.bodies[object].name
-                                          : portals[object - shape_count].name);
-  };
-  constexpr std::size_t max_pairs = 10'000;
-  Warnings hanging, others;
-  const auto pairs = world.space.surfaces.flush().overlaps(max_pairs);
-  for (const auto& [seen, hidden] : pairs) {
-    std::string told = fmt::format("{} lies in the plane of {}: ", name(seen), name(hidden));
-    bool hangs = false;
-    if (hidden >= shape_count) {
-      const Portal &a = portals[seen - shape_count], &b = portals[hidden - shape_count];
-      const bool one_way = dot(a.frame.normal, b.frame.normal) > 0.0;
-      if (!one_way && !a.has_back() && !b.has_back()) continue;  // a door with two sides
-      told = fmt::format(
-          "portals {} and {} lie in one plane and overlap: where they do, the first one counts",
-          name(seen), name(hidden));
-    } else if (seen == hidden) {
-      told = fmt::format("triangles of {} lie on each other: the later ones are seen", name(seen));
-    } else if (seen >= shape_count) {
-      hangs = true;
-      told += fmt::format("where it is met, {} is not", name(hidden));
-    } else {
-      hangs = hangs_on(shapes[seen], shapes[hidden]);
-      told += fmt::format("where both are, {} is seen", name(seen));
-    }
-    (hangs ? hanging : others).push_back(std::move(told));
-  }
-  const auto tell = [&](Warnings& pairs_told, Warnings& to) {
-    const std::size_t count = pairs_told.size();
-    pairs_told.resize(std::min(count, max_told));
-    to.insert(to.end(), pairs_told.begin(), pairs_told.end());
-    if (count > max_told)
-      to.push_back(fmt::format("{}{} more pairs lie in one plane and overlap",
-                               pairs.size() < max_pairs ? "" : "at least ", count - max_told));
-  };
-  tell(hanging, observations.remarks);
-  tell(others, observations.warnings);
-}
-
 /// At some place of it: a texture may be black there.
 bool answers_lamps(const Material& material) {
   return std::visit(
@@ -254,6 +198,16 @@ void about_light(const World& world, Warnings& warnings) {
             ? "the file is taken for a scene of the OBJ dialect: with a line 'o NAME' in it, it is "
               "a model, and lit"
             : "add a [[light]], or a shape whose material has emitted"));
+}
+
+void about_lamps(const World& world, std::vector<std::string>& remarks) {
+  const Appearance& look = world.appearance;
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < look.lights.size(); ++i) {
+    const Rgb power = std::visit([](const auto& light) { return light.power(); }, look.lights[i]);
+    if (power == Rgb{} && found++ < max_told)
+      remarks.push_back(fmt::format("light {} gives no light", in_quotes(look.light_names[i])));
+  }
 }
 
 /// Of few masses each is told, of many how many they are.
@@ -321,11 +275,13 @@ Observations observations_about(const World& world) {
   about_bound_light(world, found.warnings);
   about_hidden_bodies(world, found.warnings);
   about_cut_pulls(world, found.remarks);
-  about_flush_faces(world, found);
+  observe_flush_faces(world, found);
   warn_about_portals(world, found.warnings);
   warn_of_walled_up_portals(world, found.warnings);
   about_light(world, found.warnings);
+  about_lamps(world, found.remarks);
   remark_on_hidden_quads(world, found.remarks);
+  observe_enclosed(world, found);
   about_narrow_view(world, found.remarks);
   about_influences(world, found.remarks);
   return found;

@@ -167,6 +167,69 @@ TEST_F(FieldCommand, SeesAPlaneFromOneSideWhateverTheRange) {
   EXPECT_LT(hole, near);
 }
 
+TEST_F(FieldCommand, TheLegendTellsAxesCutAndLaw) {
+  const auto legend_of = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"field", "--width", "200", "-o", "a.svg"});
+    EXPECT_EQ(run(words).code, 0);
+    return folder_.read("a.svg");
+  };
+  const auto says = [](const std::string& svg, const std::string& words) {
+    return svg.find(words) != std::string::npos;
+  };
+  const std::string down =
+      legend_of({"--plane", "xz", "--cut", "0.5", "--range", "-4", "4", "1", "3"});
+  EXPECT_TRUE(says(down, ">x from -4 to 4 to the right, z from 3 to 1 upwards; at y = 0.5<"))
+      << down;
+  EXPECT_TRUE(says(down, "law newton; closest-point, depth 1")) << down;
+  const std::string up =
+      legend_of({"--plane", "yz", "--cut", "-2", "--range", "0", "5", "-1", "2"});
+  EXPECT_TRUE(says(up, ">y from 0 to 5 to the right, z from -1 to 2 upwards; at x = -2<")) << up;
+  const std::string tilted =
+      legend_of({"--rectangle", "1", "2", "3", "3", "0", "4", "0", "2", "0"});
+  EXPECT_TRUE(says(tilted, ">5 x 2, lower left corner (1, 2, 3)<")) << tilted;
+  EXPECT_FALSE(says(tilted, "nothing pulls here"));
+  const std::string empty = legend_of({"--plane", "xz", "--range", "100", "101", "900", "901",
+                                       "--cut", "500", "--set", "physics.portal_gravity=none"});
+  EXPECT_TRUE(says(empty, ">nothing pulls here")) << empty;
+}
+
+TEST_F(FieldCommand, ShowsTheInfluenceOfALoneHole) {
+  folder_.write("scene.toml",
+                "[camera]\nposition = [0, 0, 9]\nlook_at = [0, 0, 0]\n[[mass]]\n"
+                "center = [1, 2, 3]\nmass = 1000\n[physics]\nmin_force = 10\n");
+  EXPECT_EQ(run({"field", "--plane", "xy", "--width", "100", "-o", "a.svg"}).code, 0);
+  // 1.1 times sqrt(1000 / 10) to both sides
+  EXPECT_NE(folder_.read("a.svg").find("x from -10 to 12 to the right, y from -9 to 13 upwards"),
+            std::string::npos)
+      << folder_.read("a.svg");
+}
+
+TEST_F(FieldCommand, NamesDoNotCoverEachOther) {
+  std::string crowd = "[camera]\nposition = [0, 0, 9]\nlook_at = [0, 0, 0]\n";
+  for (int i = 0; i < 4; ++i)
+    crowd += "[[mass]]\nname = \"mass " + std::to_string(i) + "\"\ncenter = [" +
+             std::to_string(0.01 * i) + ", 0, 0]\nmass = 1\n";
+  folder_.write("scene.toml", crowd);
+  EXPECT_EQ(run({"field", "--plane", "xy", "--width", "200", "--range", "-1", "1", "-1", "1", "-o",
+                 "a.svg"})
+                .code,
+            0);
+  const std::string svg = folder_.read("a.svg");
+  std::vector<double> heights;
+  for (int i = 0; i < 4; ++i) {
+    const std::size_t begin = svg.rfind("<text", svg.find("mass " + std::to_string(i) + "</text>"));
+    heights.push_back(std::stod(svg.substr(svg.find("y=\"", begin) + 3)));
+  }
+  for (std::size_t i = 1; i < heights.size(); ++i) EXPECT_GE(heights[i] - heights[i - 1], 13.9);
+}
+
+TEST_F(FieldCommand, ACentreOfAMassHasNoFinitePull) {
+  EXPECT_NE(run({"field", "--at", "0", "5", "0"}).output.find("the pull has no bound"),
+            std::string::npos);
+  EXPECT_EQ(run({"field", "--at", "0", "5", "1"}).output.find("the pull has no bound"),
+            std::string::npos);
+}
+
 TEST_F(FieldCommand, DrawsTheSameWhateverTheThreads) {
   for (const std::string threads : {"1", "3"})
     EXPECT_EQ(run({"field", "--rectangle", "-2", "-1", "-2", "4", "0", "4", "0", "3", "0", "-t",

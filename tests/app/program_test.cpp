@@ -40,6 +40,9 @@ TEST(Program, WhatIsMistypedIsToldInWordsThatHelp) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> wrong = {
       {{"render", "tiny.toml", "--width", "8x6"}, "--width: '8x6' is not a whole number; write"},
       {{"render", "tiny.toml", "--width"}, "--width lacks values; write --width INT"},
+      {{"render", "tiny.toml", "--layers", "-o", "a.exr"},
+       "--layers lacks values; write --layers "},
+      {{"render", "tiny.toml", "--tone", "agx"}, "did you mean agx-like?"},
       {{"trace", "tiny.toml", "--ray", "1", "2", "3", "4", "5"},
        "--ray has 5 values, not 6; write --ray X Y Z DX DY DZ"},
       {{"render", "tiny.toml", "--resume", "--restart"},

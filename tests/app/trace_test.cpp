@@ -156,6 +156,14 @@ TEST(Trace, ManyRaysAreAnsweredInTheirOrderWhateverTheThreads) {
   EXPECT_EQ(traced({"--rays", "-", "-t", "3"}, rays), one);
 }
 
+TEST(Trace, ARayMayBeGivenAgain) {
+  const auto answers = traced({"--ray", "0", "0", "0",     "1", "0",  "0", "--ray", "0", "1", "0",
+                               "1",     "0", "0", "--ray", "0", "-2", "0", "1",     "0", "0"});
+  ASSERT_EQ(answers.size(), 3u);
+  for (const auto& [i, y] : {std::pair{0, 0.0}, {1, 1.0}, {2, -2.0}})
+    EXPECT_NEAR(answers[i]["position"][1].get<double>(), y, 1e-9);
+}
+
 TEST(Trace, MalformedLinesAreAllNamedAndNothingIsAnswered) {
   const SceneFolder folder;
   folder.write("scene.toml", scene);

@@ -162,6 +162,42 @@ TEST(BeamGuard, SeesAPortalOfAnyCornersOnTheWayOfAnyPhotonBetween) {
     });
 }
 
+TEST(BeamGuard, SeesANotchOfThePortalThatAllFourEnter) {
+  const PlannedSpace space = space_of();
+  Random random(22);
+  int tried = 0;
+  for (int i = 0; i < scaled(400); ++i) {
+    Random same = random;
+    const Beam beam(space, random);
+    const auto place = place_between(space, beam.between, random);
+    if (!place) continue;
+    // A plate with a slit that ends on the way of the photon between.
+    const double large = 2.0 * cell * place->second, slit = 0.001 * large;
+    const auto plate = [&](Vec3d middle) {
+      std::vector<Vec3d> corners;
+      for (const auto& [x, y] : {std::pair{-large, -large},
+                                 {large, -large},
+                                 {large, -slit},
+                                 {-slit, 0.0},
+                                 {large, slit},
+                                 {large, large},
+                                 {-large, large}})
+        corners.push_back(middle + Vec3d{x, y, 0});
+      return corners;
+    };
+    auto pair = portal_pair(plate(place->first), plate({0, 40, 0}));
+    const PlannedSpace slit_space = space_of({}, {}, std::move(pair));
+    const Beam entering(slit_space, same);
+    const Arrival between = advance_one(slit_space, entering.between);
+    if (!entering.agrees() || entering.arrivals[0].crossings == 0 ||
+        between.crossings == entering.arrivals[0].crossings)
+      continue;
+    ++tried;
+    EXPECT_FALSE(entering.clear(slit_space)) << "beam " << i;
+  }
+  EXPECT_GT(tried, scaled(400) / 10);
+}
+
 /// What the guard says of four ways through these places, a tenth aside of each other, that end on
 /// the ground.
 bool clear_to_ground(const std::vector<Vec3d>& places) {

@@ -42,6 +42,17 @@ bool goes_round(const std::vector<Vec3d>& polygon, double x, double y) {
   return sum > 3.0;
 }
 
+/// Whether a point lies within the convex hull: no half-plane from it is free of them.
+bool lies_between(const std::vector<Vec3d>& points, Vec3d x) {
+  std::vector<double> angles;
+  for (const Vec3d& point : points) angles.push_back(std::atan2(point.y - x.y, point.x - x.x));
+  std::sort(angles.begin(), angles.end());
+  double widest = angles.front() + 2.0 * M_PI - angles.back();
+  for (std::size_t i = 1; i < angles.size(); ++i)
+    widest = std::max(widest, angles[i] - angles[i - 1]);
+  return widest < M_PI;
+}
+
 Vec3d nearest_on_rim(const std::vector<Vec3d>& polygon, Vec3d x) {
   Vec3d best;
   double least = 1e300;
@@ -117,6 +128,24 @@ TYPED_TEST(EachAperture, HasTheAreaOfItsOutlineAndOfItsPieces) {
       sum += area_of(piece);
     }
     EXPECT_NEAR(aperture.area(), sum, close);
+  }
+}
+
+TYPED_TEST(EachAperture, LacksItsGapsToBeConvex) {
+  Random random(4);
+  for (const TypeParam& aperture : this->samples()) {
+    const std::vector<Vec3d> outline = aperture.outline();
+    for (int i = 0; i < scaled(1000); ++i) {
+      const Vec3d x = flat_point(random, 2.2);
+      if (length(x - nearest_on_rim(outline, x)) <= outline_share * aperture.size()) continue;
+      int gaps = 0;
+      for (const std::vector<Vec3d>& gap : aperture.gaps()) {
+        EXPECT_EQ(gap.size(), 3u);
+        gaps += goes_round(gap, x.x, x.y) || goes_round({gap[2], gap[1], gap[0]}, x.x, x.y);
+      }
+      const bool lacking = lies_between(outline, x) && !aperture.covers(x.x, x.y);
+      ASSERT_EQ(gaps, lacking ? 1 : 0) << x.x << ' ' << x.y;
+    }
   }
 }
 

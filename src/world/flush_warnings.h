@@ -1,0 +1,13 @@
+/// \file
+/// What lies in one plane and shares an area there: doors, pictures, and what was not meant so.
+#pragma once
+
+#include "world/warnings.h"
+
+namespace portalens {
+
+/// Adds a remark of what hangs on something larger where the camera may see it, and a warning of
+/// any other two, or of a portal whose open back is turned to the camera.
+void observe_flush_faces(const World& world, Observations& observations);
+
+}  // namespace portalens
