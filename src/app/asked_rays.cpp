@@ -23,15 +23,9 @@ class Collector {
   Collector(const World& world, const AskedRays& asked) : world_(world), asked_(asked) {}
 
   void add_rays() {
-    for (std::size_t i = 0; i + 5 < asked_.rays.size(); i += 6) {
-      std::array<double, 6> numbers{};
-      std::copy_n(asked_.rays.begin() + static_cast<std::ptrdiff_t>(i), 6, numbers.begin());
-      if (const auto ray = ray_of(numbers))
-        rays_.push_back({fmt::format("ray {}", i / 6 + 1), *ray});
-      else
-        fault("--ray has a zero direction, or a number that is not finite",
-              "x y z dx dy dz are needed, the direction not zero");
-    }
+    int number = 0;
+    for (const Ray& ray : rays_in(asked_.rays, faults_))
+      rays_.push_back({fmt::format("ray {}", ++number), ray});
   }
 
   void add_file() {

@@ -57,14 +57,15 @@ std::string field_text(const Space& space, const FieldReport& report) {
   text += fmt::format("law {}: w = {:.9g}, h = {:.9g}; light feels {:.9g}, {}\n", space.physics.law,
                       report.potential, report.weight, length(report.pull), place(report.pull));
   text += "directly:\n";
-  for (const DirectPart& part : report.direct) {
-    const Mass& mass = space.masses[part.mass];
-    const bool unbounded = part.distance == 0.0 && mass.core == 0.0;
-    text += line(mass.name, part.acceleration,
-                 unbounded ? "; its centre, about which the pull has no bound: 0 stands for it"
-                           : fmt::format("; {:.6g} away", part.distance));
-  }
+  for (const DirectPart& part : report.direct)
+    text += line(space.masses[part.mass].name, part.acceleration,
+                 fmt::format("; {:.6g} away", part.distance));
   if (report.direct.empty()) text += "  nothing\n";
+  for (const Mass& mass : space.masses)
+    if (mass.core == 0.0 && mass.center == report.position)
+      text += fmt::format(
+          "  (this is the centre of {}: its pull has no bound here, and none is told)\n",
+          mass.name);
   text += fmt::format("through portals ({}, depth {}):\n", space.physics.portal_gravity,
                       space.physics.portal_gravity_depth);
   for (const PullPart& part : report.through) {

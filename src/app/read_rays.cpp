@@ -1,5 +1,8 @@
 #include "app/read_rays.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <memory>
@@ -61,6 +64,23 @@ std::vector<Ray> read_rays(std::istream& input, const std::string& name) {
     faults.add({file, 0}, "reading failed", "a file of lines 'x y z dx dy dz' is needed");
   if (rays.empty() && faults.empty()) faults.add({file, 0}, "there is no ray in it", remedy);
   faults.raise();
+  return rays;
+}
+
+std::vector<Ray> rays_in(const std::vector<double>& numbers, Faults& faults) {
+  std::vector<Ray> rays;
+  for (std::size_t i = 0; i + 5 < numbers.size(); i += 6) {
+    std::array<double, 6> six{};
+    std::copy_n(numbers.begin() + static_cast<std::ptrdiff_t>(i), 6, six.begin());
+    if (const auto ray = ray_of(six))
+      rays.push_back(*ray);
+    else
+      faults.add({}, "--ray has a zero direction, or a number that is not finite",
+                 "x y z dx dy dz are needed, the direction not zero");
+  }
+  if (numbers.size() % 6 != 0)
+    faults.add({}, fmt::format("--ray has {} values, not 6", numbers.size() % 6),
+               "write --ray X Y Z DX DY DZ");
   return rays;
 }
 

@@ -16,4 +16,8 @@ namespace portalens {
 /// @throws SceneError that names every malformed line
 [[nodiscard]] std::vector<Ray> read_rays(std::istream& input, const std::string& name);
 
+/// The rays of --ray.
+/// @param numbers  six a ray; anything else is a fault
+[[nodiscard]] std::vector<Ray> rays_in(const std::vector<double>& numbers, Faults& faults);
+
 }  // namespace portalens

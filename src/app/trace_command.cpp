@@ -23,7 +23,6 @@
 #include "app/read_rays.h"
 #include "app/scene_options.h"
 #include "app/trace_ray.h"
-#include "geometry/rays.h"
 #include "io/files.h"
 #include "io/polylines.h"
 #include "render/camera_photon.h"
@@ -52,17 +51,12 @@ struct TraceArguments {
 constexpr std::size_t photons_at_once = 4096;
 
 std::vector<Ray> rays_of(const TraceArguments& arguments) {
-  std::vector<Ray> rays;
-  for (std::size_t i = 0; i + 5 < arguments.rays.size(); i += 6) {
-    std::array<double, 6> numbers{};
-    std::copy_n(arguments.rays.begin() + static_cast<std::ptrdiff_t>(i), 6, numbers.begin());
-    const auto ray = ray_of(numbers);
-    if (!ray)
-      throw SceneError({{Location{}, "--ray has a zero direction, or a number that is not finite",
-                         "x y z dx dy dz are needed, the direction not zero"}});
-    rays.push_back(*ray);
+  if (!arguments.rays.empty()) {
+    Faults faults;
+    std::vector<Ray> rays = rays_in(arguments.rays, faults);
+    faults.raise();
+    return rays;
   }
-  if (!rays.empty()) return rays;
   if (arguments.rays_file == "-") return read_rays(std::cin, "standard input");
   std::ifstream file(arguments.rays_file);
   if (!file || std::filesystem::is_directory(arguments.rays_file))

@@ -86,6 +86,7 @@ class MeshReader {
     if (word == "v") {
       // Also after a fault, so that the count of the others stays right.
       mesh_.positions.push_back(numbers(3, 8, "v x y z").value_or(Vec3d{}));
+      if (lines_.words().size() > 6) tell_of_colors();
     } else if (word == "vn") {
       mesh_.normals.push_back(unit_normal(numbers(3, 3, "vn x y z").value_or(Vec3d{})));
     } else if (word == "vt") {
@@ -229,6 +230,13 @@ class MeshReader {
         "export the mesh as polygons");
   }
 
+  /// `v x y z r g b`, with or without a weight before the colour.
+  void tell_of_colors() {
+    if (wanted_ != FileMaterials::read || std::exchange(colors_told_, true)) return;
+    warnings_.add(here(), "the colours of its vertices are passed over",
+                  "bake them into a texture (map_Kd, with vt), or give the mesh a material");
+  }
+
   void check_indices_ahead() {
     for (const Ahead& one : ahead_) {
       if (faults_->size() - before_ >= max_faults) return;
@@ -253,7 +261,7 @@ class MeshReader {
   Triangles mesh_;
   MeshWarnings warnings_;
   MeshMaterials materials_;
-  bool free_form_told_ = false;
+  bool free_form_told_ = false, colors_told_ = false;
   std::vector<Ahead> ahead_;
   std::vector<Corner> polygon_;
   std::vector<Vec3d> points_;

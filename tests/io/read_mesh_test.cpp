@@ -209,6 +209,18 @@ TEST(Mesh, StatementsThatSayNothingOfTheShapeArePassedOver) {
   EXPECT_EQ(curved.triangles.corners.size(), 1U);
 }
 
+TEST(Mesh, ColoursOfVerticesAreToldOnce) {
+  const std::string end = "f 1 2 3\n";
+  for (const std::string more : {" 1 0 0", " 1 0.5 0.5 0.5"}) {
+    const MeshFile mesh =
+        good_mesh("v 0 0 0\nv 1 0 0" + more + "\nv 0 1 0" + more + "\nv 0 0 1" + more + "\n" + end);
+    ASSERT_EQ(mesh.warnings.size(), 1U);
+    EXPECT_EQ(mesh.warnings[0].problem, "the colours of its vertices are passed over");
+    EXPECT_EQ(mesh.warnings[0].where.line, 2);
+  }
+  EXPECT_TRUE(good_mesh("v 0 0 0 1\nv 1 0 0 1\nv 0 1 0 1\n" + end).warnings.empty());
+}
+
 TEST(Mesh, EveryFaultIsToldWithItsLine) {
   const std::string start = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   struct Case {

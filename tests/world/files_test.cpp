@@ -86,6 +86,17 @@ TEST(Files, TheTexturesOfAMeshLieBesideIt) {
   EXPECT_EQ(picture_of(world.appearance.materials[body.material_of(0)]).image->width, 2);
 }
 
+TEST(Files, AMeshWithFaultsIsNamedWhereTheSceneAsksForIt) {
+  const Folder folder;
+  folder.write("m.obj", "v 0 0 0\nf 1 2 3\n");
+  const std::vector<Fault> faults = faults_of(folder, "\n\n[[mesh]]\nfile = \"m.obj\"\n");
+  ASSERT_EQ(faults.size(), 2u);
+  EXPECT_EQ(faults[0].where.file->substr(faults[0].where.file->size() - 5), "m.obj");
+  EXPECT_EQ(faults[0].where.line, 2);
+  EXPECT_EQ(faults[1].problem, "the mesh 'm.obj' has faults");
+  EXPECT_EQ(faults[1].where.line, 4);
+}
+
 TEST(Files, ASceneOfTheDialectCompiles) {
   const Folder folder;
   const auto file = folder.write("a.obj", R"(
