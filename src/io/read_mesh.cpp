@@ -281,7 +281,10 @@ MeshFile read_mesh(const std::filesystem::path& file, const Location& asked_at,
   try {
     const std::size_t before = faults.size();
     MeshFile mesh = MeshReader(*text, file, wanted, faults, digests).read();
-    if (faults.size() > before && asked_at.file)
+    std::error_code error;
+    const bool of_a_scene =
+        asked_at.file && !std::filesystem::equivalent(*asked_at.file, file, error);
+    if (faults.size() > before && of_a_scene)
       faults.add(asked_at, "the mesh " + in_quotes(file.filename().string()) + " has faults",
                  "mend them there");
     return mesh;

@@ -19,7 +19,7 @@ constexpr double far = std::numeric_limits<double>::infinity();
 /// The first that the ray meets but `own`; nothing also where that takes many hits.
 std::optional<std::uint32_t> first_other(const Accelerator& surfaces, const Ray& ray,
                                          std::uint32_t own) {
-  double low = 0.0;
+  double low = 1e-9 * length(ray.origin) + std::numeric_limits<double>::min();
   for (int hits = 0; hits < 8; ++hits) {
     const auto hit = surfaces.nearest(ray, low, far);
     if (!hit) return std::nullopt;

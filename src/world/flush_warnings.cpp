@@ -67,6 +67,9 @@ class FlushObserver {
   [[nodiscard]] bool is_before(const FlushFaces::Overlap& pair) const {
     return dot(world_.camera.position, pair.normal) >= pair.height;
   }
+  [[nodiscard]] bool faces_camera(const Portal& portal) const {
+    return dot(world_.camera.position - portal.frame.origin, portal.frame.normal) > 0.0;
+  }
   [[nodiscard]] std::string lies_in(const FlushFaces::Overlap& pair) const {
     return fmt::format("{} lies in the plane of {}", name(pair.seen), name(pair.hidden));
   }
@@ -81,11 +84,13 @@ class FlushObserver {
   }
 
   void about_door(const FlushFaces::Overlap& pair) {
-    if (is_before(pair) || portal(pair.seen).has_back())
+    const Portal& door = portal(pair.seen);
+    const Portal& other = world_.space.portals.portals()[door.pair];
+    if (is_before(pair) || door.has_back())
       remarks_.push_back(
           fmt::format("{}: where it is met, {} is not", lies_in(pair), name(pair.hidden)));
     else
-      (is_in_sight(pair) ? warnings_ : remarks_)
+      (!faces_camera(other) && is_in_sight(pair) ? warnings_ : remarks_)
           .push_back(fmt::format(
               "{}, and the camera is behind it: from there {} is seen, not the portal; where that "
               "is not meant, list its corners in the other order, or give back = \"portal\"",

@@ -7,7 +7,7 @@
 namespace portalens {
 
 /// Adds a remark of what hangs on something larger where the camera may see it, and a warning of
-/// any other two, or of a portal whose open back is turned to the camera.
+/// any other two, or of a portal in sight that turns its open back to the camera as its pair does.
 void observe_flush_faces(const World& world, Observations& observations);
 
 }  // namespace portalens

@@ -224,9 +224,9 @@ TEST_F(FieldCommand, NamesDoNotCoverEachOther) {
 }
 
 TEST_F(FieldCommand, ACentreOfAMassHasNoFinitePull) {
-  EXPECT_NE(run({"field", "--at", "0", "5", "0"}).output.find("the pull has no bound"),
+  EXPECT_NE(run({"field", "--at", "0", "5", "0"}).output.find("pull has no bound here"),
             std::string::npos);
-  EXPECT_EQ(run({"field", "--at", "0", "5", "1"}).output.find("the pull has no bound"),
+  EXPECT_EQ(run({"field", "--at", "0", "5", "1"}).output.find("pull has no bound here"),
             std::string::npos);
 }
 

@@ -112,9 +112,12 @@ TEST(Compile, RemarksOnWhatHangsOnSomethingLargerAndTellsWhatIsSeen) {
        {std::string(door_on_a_wall), mirrored, std::string(picture_on_a_wall),
         std::string(pairs_back_to_back), std::string(pair_in_one_place)})
     EXPECT_EQ(warnings_of(sound), "");
-  EXPECT_EQ(remarks_of(door_on_a_wall),
-            "'a' lies in the plane of 'quad0': where it is met, 'quad0' is not\n"
-            "'b' lies in the plane of 'quad1': where it is met, 'quad1' is not\n");
+  EXPECT_EQ(
+      remarks_of(door_on_a_wall),
+      "'a' lies in the plane of 'quad0': where it is met, 'quad0' is not\n"
+      "'b' lies in the plane of 'quad1', and the camera is behind it: from there 'quad1' is "
+      "seen, not the portal; where that is not meant, list its corners in the other order, or "
+      "give back = \"portal\"\n");
   EXPECT_EQ(remarks_of(mirrored),
             "'mirror0' lies in the plane of 'quad1': where both are, 'mirror0' is seen\n");
   EXPECT_EQ(
