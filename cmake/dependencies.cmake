@@ -7,7 +7,8 @@ endif()
 if(NOT PORTALENS_PORTABLE)
   find_package(embree 3 REQUIRED)
   find_package(TBB REQUIRED)
-  find_package(OpenImageIO 2.4 REQUIRED)
+  find_package(OpenEXR 3 REQUIRED)
+  find_package(libjpeg-turbo 2.1 REQUIRED)
 endif()
 find_package(fmt 9 REQUIRED)
 find_package(utf8cpp REQUIRED)
@@ -21,14 +22,18 @@ find_package(nlohmann_json 3.11 REQUIRED)
 find_package(ZLIB REQUIRED)
 if(PORTALENS_TESTS)
   find_package(GTest REQUIRED)
-  find_package(tinyobjloader REQUIRED)  # what our reader of meshes is held against
+  # What our readers of meshes and of pictures are held against.
+  find_package(tinyobjloader REQUIRED)
+  if(NOT PORTALENS_PORTABLE)
+    find_package(OpenImageIO 2.4 REQUIRED)
+  endif()
 endif()
 
-# What the library is linked with, wherever; and what it is compiled with here. The one is reached
-# by way of the other, because OpenImageIO's CMake files name folders that its package lacks.
+# What the library is linked with, wherever; and what it is compiled with here.
 set(portalens_linked fmt::fmt Threads::Threads)
 if(NOT PORTALENS_PORTABLE)
-  list(APPEND portalens_linked embree TBB::tbb OpenImageIO::OpenImageIO)
+  pkg_check_modules(spng REQUIRED IMPORTED_TARGET spng)
+  list(APPEND portalens_linked embree TBB::tbb OpenEXR::OpenEXR PkgConfig::spng libjpeg-turbo::turbojpeg)
 endif()
 if(NOT PORTALENS_FUZZ)
   list(APPEND portalens_linked tomlplusplus::tomlplusplus)

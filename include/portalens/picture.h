@@ -34,8 +34,8 @@ struct Picture {
 using Metadata = std::vector<std::pair<std::string, std::string>>;
 
 /// Writes a picture as its name's suffix says: `.exr` (float, linear, with layers and metadata),
-/// `.png` or, where the build has OpenImageIO, `.jpg` (8 bits, sRGB; no layers). A file that stands
-/// there is replaced when the new one is whole, and not before.
+/// `.png` or, where the build has libjpeg-turbo, `.jpg` (8 bits, sRGB; no layers). A file that
+/// stands there is replaced when the new one is whole, and not before.
 /// @throws Error (asked) if the suffix is another, the sizes don't fit, or layers are to go into
 /// another than an EXR; Error (work) if the file can't be written, or a number is not finite
 void write_picture(const std::filesystem::path& file, const Picture& picture,

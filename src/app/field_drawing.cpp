@@ -7,6 +7,7 @@
 #include <numbers>
 #include <span>
 
+#include "app/portal_color.h"
 #include "photon/field_parts.h"
 #include "render/parallel.h"
 
@@ -24,11 +25,6 @@ constexpr Color of_bytes(int red, int green, int blue) {
 }
 constexpr Color black, dark = of_bytes(60, 60, 60), way_color = of_bytes(20, 130, 50),
                        grey = of_bytes(225, 225, 225);
-/// Fronts of pairs, one pair after the other.
-constexpr Color pair_colors[][2] = {{of_bytes(0, 90, 220), of_bytes(225, 110, 0)},
-                                    {of_bytes(140, 0, 170), of_bytes(0, 140, 140)},
-                                    {of_bytes(170, 30, 60), of_bytes(90, 110, 0)}};
-
 /// A scale of colours for 0 <= share <= 1, in so many steps that a drawing in SVG stays small.
 Color color_of(double share) {
   constexpr double stops[][3] = {
@@ -116,8 +112,9 @@ class FieldArtist {
         static_cast<std::size_t>(cells.rows), options_.threads,
         [&](std::size_t row) {
           for (std::size_t column = 0; column < columns; ++column)
-            strengths[row * columns + column] = length(
-                field_at(space_, place_of({(column + 0.5) * cell_size, (row + 0.5) * cell_size})));
+            strengths[row * columns + column] =
+                length(field_at(space_, place_of({(static_cast<double>(column) + 0.5) * cell_size,
+                                                  (static_cast<double>(row) + 0.5) * cell_size})));
         },
         [] { return false; });
     strengths_ = scale_of(strengths);
@@ -170,11 +167,9 @@ class FieldArtist {
 
   void draw_portals() {
     const std::span<const Portal> portals = space_.portals.portals();
-    const std::size_t colors = std::size(pair_colors);
-    for (std::size_t i = 0; i < portals.size(); ++i) {
+    for (std::uint32_t i = 0; i < portals.size(); ++i) {
       const Portal& portal = portals[i];
-      const std::size_t first = std::min<std::size_t>(i, portal.pair);
-      const Color& ink = pair_colors[first % colors][i == first ? 0 : 1];
+      const Color ink = portal_color(portals, i);
       PointChain outline;
       for (const Vec3d& vertex : portal.vertices) outline.push_back(point_of(vertex));
       outline.push_back(outline.front());

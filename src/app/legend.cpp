@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/portal_color.h"
 #include "app/scene_marks.h"
 #include "app/sheet.h"
 
@@ -138,7 +139,7 @@ std::vector<LegendEntry> scene_entries(const World& world, const Drawing& drawin
     entries.push_back(
         line_entry({ink::influence, 1.1 * unit, 5.0 * unit}, unit, "edge of a mass's influence"));
   if (drawn("portal")) {
-    const Color color = portal_color(world, 0);
+    const Color color = portal_color(world.space.portals.portals(), 0);
     entries.push_back(
         {{Lines{{{{-8.0 * unit, -6.0 * unit}, {-8.0 * unit, 6.0 * unit}}}, {color, 2.4 * unit}, ""},
           Lines{{{{-8.0 * unit, 0}, {8.0 * unit, 0}}}, {color, 1.6 * unit}, ""},
@@ -176,7 +177,7 @@ std::vector<LegendEntry> path_entries(const World& world, const std::vector<Draw
   std::vector<LegendEntry> entries = way_entries(style, unit);
   entries.push_back({{start_mark({}, unit)}, "start"});
   if (crosses) {
-    const Stroke rim{portal_color(world, 0), 1.8 * unit};
+    const Stroke rim{portal_color(world.space.portals.portals(), 0), 1.8 * unit};
     entries.push_back(
         {{Disc{{-5.0 * unit, 0}, 3.2 * unit, {1, 1, 1}, rim, "legend"},
           Label{{2.0 * unit, 4.5 * unit}, "A", 13.0 * unit, rim.color, Anchor::start, "legend"}},

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <set>
 
+#include "app/portal_color.h"
 #include "app/scene_marks.h"
 
 namespace portalens {
@@ -60,7 +61,7 @@ void add_crossings(const World& world, const PathTrace& path_trace, std::size_t&
       const auto at = sheet.view().project(place);
       if (!at) return;
       const double unit = sheet.unit();
-      const Color color = portal_color(world, portal);
+      const Color color = portal_color(world.space.portals.portals(), portal);
       sheet.add(Disc{*at, 3.2 * unit, white, {color, 1.8 * unit}, "crossing"});
       if (number < max_letters)
         sheet.add_label(*at, 7.0, crossing_letter(number), color, "crossing letter");

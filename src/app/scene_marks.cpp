@@ -1,28 +1,14 @@
 #include "app/scene_marks.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
-#include <string_view>
 
 #include "app/outline.h"
+#include "app/portal_color.h"
 
 namespace portalens {
 namespace {
-
-struct NamedColor {
-  std::string_view name;
-  Color color;
-};
-constexpr std::array<NamedColor, 8> portal_colors = {{{"blue", {0.10, 0.40, 0.85}},
-                                                      {"orange", {0.90, 0.45, 0.05}},
-                                                      {"purple", {0.55, 0.25, 0.70}},
-                                                      {"olive", {0.50, 0.50, 0.10}},
-                                                      {"teal", {0.05, 0.52, 0.52}},
-                                                      {"red", {0.82, 0.15, 0.20}},
-                                                      {"pink", {0.85, 0.35, 0.65}},
-                                                      {"brown", {0.50, 0.32, 0.18}}}};
 
 /// Names at the places of things are left out of a drawing with more of them.
 constexpr std::size_t max_names = 40;
@@ -79,7 +65,7 @@ void add_portals(const World& world, Sheet& sheet) {
   const auto portals = world.space.portals.portals();
   for (std::uint32_t i = 0; i < portals.size(); ++i) {
     const Portal& portal = portals[i];
-    const Color color = portal_color(world, i);
+    const Color color = portal_color(portals, i);
     sheet.add_area(portal.vertices, color.with_alpha(0.22), "portal");
     std::vector<Vec3d> loop = portal.vertices;
     loop.push_back(loop.front());
@@ -115,13 +101,6 @@ void add_masses(const World& world, Sheet& sheet) {
 }
 
 }  // namespace
-
-Color portal_color(const World& world, std::uint32_t portal) {
-  const auto portals = world.space.portals.portals();
-  for (const NamedColor& known : portal_colors)
-    if (portals[portal].name.find(known.name) != std::string::npos) return known.color;
-  return portal_colors[portal % portal_colors.size()].color;
-}
 
 void add_scene(const World& world, Sheet& sheet) {
   add_surfaces(world, sheet);

@@ -10,9 +10,6 @@
 
 namespace portalens {
 
-/// The portal's colour in drawings: the one that its name names, or the next of a list.
-[[nodiscard]] Color portal_color(const World& world, std::uint32_t portal);
-
 /// Surfaces, influences, portals and horizons, in this order.
 void add_scene(const World& world, Sheet& sheet);
 

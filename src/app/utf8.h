@@ -15,7 +15,7 @@ namespace portalens {
   std::u32string codes;
   for (auto at = text.begin(); at != text.end();) {
     const auto valid = utf8::find_invalid(at, text.end());
-    while (at != valid) codes += utf8::unchecked::next(at);
+    while (at != valid) codes += static_cast<char32_t>(utf8::unchecked::next(at));
     if (at == text.end()) break;
     codes += U'\ufffd';
     ++at;

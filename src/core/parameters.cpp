@@ -173,7 +173,7 @@ bool Parameters::boolean(std::string_view key, std::optional<bool> fallback) {
   return fallback.value_or(false);
 }
 
-std::string Parameters::text(std::string_view key, std::optional<std::string> fallback) {
+std::string Parameters::text(std::string_view key, const std::optional<std::string>& fallback) {
   const Value* value = require(key, fallback.has_value(), "a string");
   if (!value) return fallback.value_or("");
   const auto* given = std::get_if<std::string>(&value->data);
@@ -187,10 +187,10 @@ std::string Parameters::text(std::string_view key, std::optional<std::string> fa
 }
 
 std::string Parameters::choice(std::string_view key, std::span<const std::string_view> known,
-                               std::optional<std::string> fallback) {
+                               const std::optional<std::string>& fallback) {
   const std::vector<std::string> words(known.begin(), known.end());
   const Value* value = require(key, fallback.has_value(), "one of " + listed(words));
-  const std::string otherwise = fallback ? *fallback : words.empty() ? "" : words.front();
+  std::string otherwise = fallback ? *fallback : words.empty() ? "" : words.front();
   if (!value) return otherwise;
   const auto* given = std::get_if<std::string>(&value->data);
   if (!given) {

@@ -84,10 +84,10 @@ class Parameters {
   std::int64_t integer(std::string_view key, std::int64_t low, std::int64_t high,
                        std::optional<std::int64_t> fallback = std::nullopt);
   bool boolean(std::string_view key, std::optional<bool> fallback = std::nullopt);
-  std::string text(std::string_view key, std::optional<std::string> fallback = std::nullopt);
+  std::string text(std::string_view key, const std::optional<std::string>& fallback = std::nullopt);
   /// One of `known`; the message for another word lists them.
   std::string choice(std::string_view key, std::span<const std::string_view> known,
-                     std::optional<std::string> fallback = std::nullopt);
+                     const std::optional<std::string>& fallback = std::nullopt);
   Triple triple(std::string_view key, Bounds bounds = any_number,
                 std::optional<Triple> fallback = std::nullopt);
   /// A list of points; `low` to `high` of them.

@@ -33,7 +33,7 @@ class Ring {
   [[nodiscard]] double outer_radius() const { return outer_; }
 
   [[nodiscard]] Box bounds() const;
-  [[nodiscard]] std::optional<Contact> intersect(const Ray& ray, double low, double high) const;
+  [[nodiscard]] std::optional<Contact> intersect(const Ray& world, double low, double high) const;
   [[nodiscard]] SurfacePoint surface_at(Vec3d x, std::uint32_t face) const;
   [[nodiscard]] double clearance(const Segment& segment) const;
   [[nodiscard]] Vec3d center_of_mass() const { return pose_.middle(); }

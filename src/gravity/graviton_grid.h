@@ -60,7 +60,7 @@ class GravitonGrid {
   static constexpr std::uint32_t none_sharp = 1u << 20;
   /// A lower bound of the distance from a place in that cell to the nearest sharp one; infinite in
   /// a sharp one.
-  [[nodiscard]] double distance_to_discontinuity(Cell cell, Vec3d place) const;
+  [[nodiscard]] double distance_to_discontinuity(Cell cell, Vec3d at) const;
   /// The map at a place, from that cell; the scales by which steps are chosen are the cell's
   /// strictest.
   [[nodiscard]] Pull interpolate(Cell cell, Vec3d place) const;

@@ -19,8 +19,7 @@ enum class ImageFormat { exr, png, hdr, jpeg };
 
 /// The same picture without what only describes it: camera data, comments, colour profiles.
 /// Decoders have been crashed through those. EXR and HDR come back as they are. Nothing for a PNG
-/// whose chunks are cut off or differ from their checksums: there libpng leaves its caller by a
-/// long jump, over what OpenImageIO has yet to free.
+/// whose chunks are cut off or differ from their checksums.
 [[nodiscard]] std::optional<std::string> without_descriptions(std::string bytes,
                                                               ImageFormat format);
 

@@ -1,4 +1,4 @@
-// Pictures encoded without OpenImageIO, in builds without it (PORTALENS_PORTABLE).
+// Pictures encoded without libraries, in builds without them (PORTALENS_PORTABLE).
 #include "io/image_encode.h"
 #include "io/plain_pictures.h"
 

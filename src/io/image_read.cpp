@@ -1,26 +1,25 @@
-// Pictures in, through OpenImageIO from memory, those of Radiance without it: told by their first
-// bytes, measured by their header before anything is allocated, and checked for values that are not
-// finite.
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
-
+// Pictures in, decoded from memory: told by their first bytes, measured by their header before
+// anything is allocated, and checked for values that are not finite.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
-#include <memory>
 #include <new>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "io/exr_file.h"
 #include "io/files.h"
 #include "io/image.h"
 #include "io/image_bytes.h"
 #include "io/image_claim.h"
 #include "io/image_window.h"
+#include "io/jpeg_file.h"
+#include "io/png_file.h"
 #include "io/radiance.h"
 #include "math/srgb.h"
 
@@ -29,83 +28,60 @@ namespace {
 
 constexpr std::uint64_t max_bytes = std::uint64_t{1} << 30;
 
-/// As OpenImageIO calls it.
-const char* name_of(ImageFormat format) {
-  switch (format) {
-    case ImageFormat::exr:
-      return "exr";
-    case ImageFormat::png:
-      return "png";
-    case ImageFormat::hdr:
-      return "hdr";
-    case ImageFormat::jpeg:
-      break;
-  }
-  return "jpeg";
-}
-
 /// Which of a file's channels are red, green and blue; one three times over if it is gray.
-std::array<int, 3> color_channels(const OIIO::ImageSpec& spec) {
-  const std::array<int, 3> named{spec.channelindex("R"), spec.channelindex("G"),
-                                 spec.channelindex("B")};
-  if (named[0] >= 0 && named[1] >= 0 && named[2] >= 0) return named;
-  const int gray = std::max(0, spec.channelindex("Y"));
-  if (spec.nchannels < 3) return {gray, gray, gray};
-  return {0, 1, 2};
-}
-
-PixelWindow data_of(const OIIO::ImageSpec& spec) {
-  return {spec.x, spec.y, spec.width, spec.height};
-}
-PixelWindow display_of(const OIIO::ImageSpec& spec) {
-  return {spec.full_x, spec.full_y, spec.full_width, spec.full_height};
+std::array<std::size_t, 3> color_channels(const std::vector<std::string>& channels) {
+  const auto at = [&](std::string_view name) {
+    return static_cast<std::size_t>(std::find(channels.begin(), channels.end(), name) -
+                                    channels.begin());
+  };
+  const std::array<std::size_t, 3> named{at("R"), at("G"), at("B")};
+  if (*std::max_element(named.begin(), named.end()) < channels.size()) return named;
+  if (channels.size() > 2) return {0, 1, 2};
+  const std::size_t gray = at("Y") < channels.size() ? at("Y") : 0;
+  return {gray, gray, gray};
 }
 
 /// What the decoder found, held against the limits once more: it may read a header otherwise.
-void check_header(const OIIO::ImageSpec& spec) {
-  for (const PixelWindow& window : {data_of(spec), display_of(spec)}) {
-    if (window.width < 1 || window.height < 1 || spec.nchannels < 1 || spec.deep)
+void check_header(const ExrFile& file) {
+  for (const PixelWindow& window : {file.data(), file.display()}) {
+    if (window.width < 1 || window.height < 1 || file.channels().empty())
       throw Refusal{"holds no flat picture", "save it as an ordinary picture"};
     if (window.width > max_image_side || window.height > max_image_side ||
         std::int64_t{window.width} * window.height > max_image_pixels)
       throw Refusal{"has a size that its header hides", "save it again"};
   }
-  if (!share_a_pixel(data_of(spec), display_of(spec)))
+  if (!share_a_pixel(file.data(), file.display()))
     throw Refusal{"shows nothing: its data window lies outside its display window",
                   "move one of them"};
 }
 
-void read_planes(OIIO::ImageInput& input, int begin, int end, float* target) {
-  if (!input.read_image(0, 0, begin, end, OIIO::TypeDesc::FLOAT, target)) {
-    throw Refusal{"is broken: " + input.geterror(), "save it again"};
-  }
-}
-
-/// The three colour planes of an open picture's data window.
-Image color_of_data(OIIO::ImageInput& input, const OIIO::ImageSpec& spec) {
-  Image image(spec.width, spec.height, 3);
-  const std::array<int, 3> channels = color_channels(spec);
-  if (channels[1] == channels[0] + 1 && channels[2] == channels[0] + 2) {
-    read_planes(input, channels[0], channels[0] + 3, image.pixels.data());
-    return image;
-  }
-  std::vector<float> plane(image.pixels.size() / 3);
-  for (std::size_t c = 0; c < 3; ++c) {
-    if (c == 0 || channels[c] != channels[c - 1]) {
-      read_planes(input, channels[c], channels[c] + 1, plane.data());
-    }
-    for (std::size_t i = 0; i < plane.size(); ++i) image.pixels[3 * i + c] = plane[i];
-  }
+/// The three colour planes.
+Image color_of(const Samples& samples) {
+  Image image(samples.width, samples.height, 3);
+  const auto channels = color_channels(samples.channels);
+  const std::size_t step = samples.channels.size();
+  for (std::size_t i = 0; i < image.pixels.size() / 3; ++i)
+    for (std::size_t c = 0; c < 3; ++c)
+      image.pixels[3 * i + c] = samples.values[i * step + channels[c]];
   return image;
 }
 
-/// The three colour planes of an open picture.
-Image color_of(OIIO::ImageInput& input) {
-  const OIIO::ImageSpec spec = input.spec();
-  check_header(spec);
-  Image image = color_of_data(input, spec);
-  const PixelWindow display = display_of(spec);
-  image.pixels = shown(std::move(image.pixels), 3, data_of(spec), display);
+/// The three colour planes of what an EXR shows.
+Image color_of(ExrFile& file) {
+  check_header(file);
+  const PixelWindow data = file.data(), display = file.display();
+  Image image(data.width, data.height, 3);
+  const auto channels = color_channels(file.channels());
+  const auto name = [&](std::size_t c) { return file.channels()[channels[c]]; };
+  float* const first = image.pixels.data();
+  if (channels[0] == channels[1]) {
+    file.read({{name(0), first, 3}});
+    for (std::size_t i = 0; i < image.pixels.size(); i += 3)
+      image.pixels[i + 1] = image.pixels[i + 2] = image.pixels[i];
+  } else {
+    file.read({{name(0), first, 3}, {name(1), first + 1, 3}, {name(2), first + 2, 3}});
+  }
+  image.pixels = shown(std::move(image.pixels), 3, data, display);
   image.width = display.width;
   image.height = display.height;
   return image;
@@ -121,28 +97,33 @@ void check_finite(const Image& image) {
                 "give every pixel a number"};
 }
 
-ChannelPicture all_channels_of(OIIO::ImageInput& input) {
-  const OIIO::ImageSpec spec = input.spec();
-  check_header(spec);
-  const PixelWindow data = data_of(spec), display = display_of(spec);
+ChannelPicture all_channels_of(ExrFile& file) {
+  check_header(file);
+  const PixelWindow data = file.data(), display = file.display();
+  const auto count = static_cast<std::int64_t>(file.channels().size());
   for (const PixelWindow& window : {data, display})
-    if (std::int64_t{window.width} * window.height * spec.nchannels > 3 * max_image_pixels)
-      throw Refusal{"has " + std::to_string(spec.nchannels) + " channels", "use a smaller one"};
+    if (std::int64_t{window.width} * window.height * count > 3 * max_image_pixels)
+      throw Refusal{"has " + std::to_string(count) + " channels", "use a smaller one"};
   ChannelPicture picture{display.width, display.height, {}};
-  const auto pixels = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
-  // Readers of PNG and JPEG go through a file once: channel by channel only EXR can be read.
-  const auto count = static_cast<std::size_t>(spec.nchannels);
-  const bool at_once = std::string_view(input.format_name()) != "openexr";
-  std::vector<float> all(at_once ? pixels * count : 0);
-  if (at_once) read_planes(input, 0, spec.nchannels, all.data());
-  for (std::size_t c = 0; c < count; ++c) {
-    Channel& channel =
-        picture.channels.emplace_back(Channel{spec.channelnames[c], std::vector<float>(pixels)});
-    if (at_once)
-      for (std::size_t i = 0; i < pixels; ++i) channel.values[i] = all[i * count + c];
-    else
-      read_planes(input, static_cast<int>(c), static_cast<int>(c) + 1, channel.values.data());
+  const auto pixels = static_cast<std::size_t>(data.width) * static_cast<std::size_t>(data.height);
+  std::vector<ExrFile::Target> targets;
+  for (const std::string& name : file.channels())
+    picture.channels.push_back({name, std::vector<float>(pixels)});
+  for (Channel& channel : picture.channels)
+    targets.push_back({channel.name, channel.values.data(), 1});
+  file.read(targets);
+  for (Channel& channel : picture.channels)
     channel.values = shown(std::move(channel.values), 1, data, display);
+  return picture;
+}
+
+ChannelPicture all_channels_of(const Samples& samples) {
+  ChannelPicture picture{samples.width, samples.height, {}};
+  const std::size_t step = samples.channels.size();
+  for (std::size_t c = 0; c < step; ++c) {
+    Channel& channel = picture.channels.emplace_back(Channel{samples.channels[c], {}});
+    for (std::size_t i = c; i < samples.values.size(); i += step)
+      channel.values.push_back(samples.values[i]);
   }
   return picture;
 }
@@ -155,41 +136,19 @@ ChannelPicture channels_of(const Image& image) {
   return picture;
 }
 
-/// A file's bytes for the decoder. OpenImageIO's own reader goes to before the first byte where a
-/// file says that something lies there.
-class MemoryReader : public OIIO::Filesystem::IOMemReader {
- public:
-  explicit MemoryReader(const std::string& bytes) : IOMemReader(bytes.data(), bytes.size()) {}
-  std::size_t read(void* to, std::size_t count) override {
-    const std::size_t got = pread(to, count, m_pos);
-    m_pos += static_cast<std::int64_t>(got);
-    return got;
-  }
-  std::size_t pread(void* to, std::size_t count, std::int64_t from) override {
-    if (from < 0 || static_cast<std::size_t>(from) >= size()) return 0;
-    return IOMemReader::pread(to, std::min(count, size() - static_cast<std::size_t>(from)), from);
-  }
-};
-
-/// Opens a picture that lies in memory, and hands it to `take`.
+/// What `take` makes of a picture that is no Radiance picture.
 template <class Take>
-auto opened(const std::string& bytes, ImageFormat format, const Take& take) {
-  MemoryReader reader(bytes);
-  const auto input = OIIO::ImageInput::create(name_of(format), false);
-  if (!input || !input->supports("ioproxy") || !input->set_ioproxy(&reader)) {
-    throw Refusal{"is of a kind this build can't read", "save it as EXR or PNG"};
-  }
-  input->threads(1);
-  OIIO::ImageSpec wishes, spec;
-  wishes.attribute("oiio:UnassociatedAlpha", 1);
-  if (!input->open(name_of(format), spec, wishes)) {
-    throw Refusal{"is broken: " + input->geterror(), "save it again"};
-  }
-  return take(*input);
+auto decoded_by(const std::string& bytes, ImageFormat format, const Take& take) {
+  if (format == ImageFormat::png) return take(decode_png(bytes));
+  if (format == ImageFormat::jpeg) return take(decode_jpeg(bytes));
+  ExrFile file(bytes);
+  return take(file);
 }
 
 Image decode(const std::string& bytes, ImageFormat format) {
-  Image image = format == ImageFormat::hdr ? read_radiance(bytes) : opened(bytes, format, color_of);
+  Image image = format == ImageFormat::hdr
+                    ? read_radiance(bytes)
+                    : decoded_by(bytes, format, [](auto&& picture) { return color_of(picture); });
   check_finite(image);
   if (format == ImageFormat::png || format == ImageFormat::jpeg) {
     for (float& value : image.pixels) value = linear_from_srgb(value);
@@ -237,11 +196,11 @@ std::optional<Image> read_image(const std::filesystem::path& file, const Locatio
 
 std::optional<ChannelPicture> read_channels(const std::filesystem::path& file,
                                             const Location& asked_at, Faults& faults) {
-  return read_picture(file, asked_at, faults, nullptr,
-                      [](const std::string& bytes, ImageFormat format) {
-                        return format == ImageFormat::hdr ? channels_of(read_radiance(bytes))
-                                                          : opened(bytes, format, all_channels_of);
-                      });
+  const auto decoded = [](const std::string& bytes, ImageFormat format) {
+    if (format == ImageFormat::hdr) return channels_of(read_radiance(bytes));
+    return decoded_by(bytes, format, [](auto&& picture) { return all_channels_of(picture); });
+  };
+  return read_picture(file, asked_at, faults, nullptr, decoded);
 }
 
 }  // namespace portalens

@@ -1,4 +1,4 @@
-// Builds without OpenImageIO (PORTALENS_PORTABLE) read no pictures, and say so.
+// Builds without libraries of pictures (PORTALENS_PORTABLE) read no pictures, and say so.
 #include "io/image.h"
 
 namespace portalens {
@@ -7,8 +7,8 @@ namespace {
 void refuse(const std::filesystem::path& file, const Location& asked_at, Faults& faults) {
   faults.add(asked_at,
              "the picture " + file.filename().string() +
-                 " can't be read: this portalens was built without OpenImageIO",
-             "give a color or a checker, or use a build with it (PORTALENS_PORTABLE=OFF)");
+                 " can't be read: this portalens was built without libraries of pictures",
+             "give a color or a checker, or use a build with them (PORTALENS_PORTABLE=OFF)");
 }
 
 }  // namespace

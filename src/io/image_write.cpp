@@ -30,7 +30,7 @@ Target target_of(const fs::path& file) {
   if (suffix == ".jpg" || suffix == ".jpeg") {
     if (encodes_jpeg()) return Target::jpeg;
     throw SceneError({{Location{}, "can't write " + file.string() + ": this build writes no JPEG",
-                       "name a .png file, or take a build with OpenImageIO"}});
+                       "name a .png file, or take a build with libjpeg-turbo"}});
   }
   throw SceneError({{Location{}, "can't write " + file.string() + ": its kind is not known",
                      "a picture's name ends in .exr, .png or .jpg"}});

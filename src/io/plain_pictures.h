@@ -1,6 +1,6 @@
 /// \file
 /// Picture files written without any library, and without compression: what builds without
-/// OpenImageIO write. Everybody else reads them.
+/// OpenEXR and libspng write. Everybody else reads them.
 #pragma once
 
 #include <vector>

@@ -1,6 +1,6 @@
 /// \file
-/// Pictures of Radiance (`.hdr`, `.pic`), read without a library: OpenImageIO reads neither the
-/// first run-length coding, nor XYZ, nor most orientations, nor exposures.
+/// Pictures of Radiance (`.hdr`, `.pic`), read without a library: none that we know reads the
+/// first run-length coding, XYZ, all orientations and exposures.
 #pragma once
 
 #include <string_view>

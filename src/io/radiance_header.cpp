@@ -14,7 +14,8 @@ namespace {
 /// Takes a line off the front.
 std::string_view take_line(std::string_view& left) {
   const std::size_t end = left.find('\n');
-  if (end == left.npos) throw Refusal{"is broken: its header is cut off", "save it again"};
+  if (end == std::string_view::npos)
+    throw Refusal{"is broken: its header is cut off", "save it again"};
   const std::string_view line = left.substr(0, end);
   left.remove_prefix(end + 1);
   return line;

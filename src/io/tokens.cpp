@@ -32,7 +32,7 @@ std::from_chars_result read_double(const char* begin, const char* end, double& n
   return std::from_chars(begin, end, number);
 #else
   const std::string word(begin, end);
-  if (word.find_first_not_of("0123456789+-.eE") != word.npos || word.find('+') == 0)
+  if (word.find_first_not_of("0123456789+-.eE") != std::string_view::npos || word.find('+') == 0)
     return {begin, std::errc::invalid_argument};
   char* read = nullptr;
   errno = 0;
@@ -52,7 +52,8 @@ std::optional<double> parse_number(std::string_view word) {
   const auto result = read_double(word.data(), end, number);
   if (result.ptr != end) return std::nullopt;
   if (result.ec == std::errc::result_out_of_range) {
-    const bool tiny = word.find("e-") != word.npos || word.find("E-") != word.npos;
+    const bool tiny =
+        word.find("e-") != std::string_view::npos || word.find("E-") != std::string_view::npos;
     return tiny ? std::optional(0.0) : std::nullopt;
   }
   if (result.ec != std::errc() || !std::isfinite(number)) return std::nullopt;

@@ -36,7 +36,9 @@ Vec3d direction_within(Vec3d a, Vec3d b, Vec3d c, double area, double u1, double
 
 }  // namespace
 
-double area_of(const TriangleCorners& t) { return 0.5 * length(cross(t[1] - t[0], t[2] - t[0])); }
+double area_of(const TriangleCorners& corners) {
+  return 0.5 * length(cross(corners[1] - corners[0], corners[2] - corners[0]));
+}
 
 double solid_angle_of(const TriangleCorners& corners, Vec3d x) {
   const Vec3d a = corners[0] - x, b = corners[1] - x, c = corners[2] - x;
@@ -54,15 +56,16 @@ SeenPoint seen_by_area(Vec3d position, Vec3d normal, double area, Vec3d x) {
   return {position, area * slope / (distance * distance), 0};
 }
 
-SeenPoint sample_triangle(const TriangleCorners& t, double solid_angle, Vec3d x, double u1,
+SeenPoint sample_triangle(const TriangleCorners& corners, double solid_angle, Vec3d x, double u1,
                           double u2) {
-  const Vec3d normal = cross(t[1] - t[0], t[2] - t[0]);
+  const Vec3d normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
   if (solid_angle < least_solid_angle) {
     const double root = std::sqrt(u1);
-    const Vec3d position = t[0] + (t[1] - t[0]) * (root * (1.0 - u2)) + (t[2] - t[0]) * (root * u2);
-    return seen_by_area(position, normalize(normal), area_of(t), x);
+    const Vec3d position = corners[0] + (corners[1] - corners[0]) * (root * (1.0 - u2)) +
+                           (corners[2] - corners[0]) * (root * u2);
+    return seen_by_area(position, normalize(normal), area_of(corners), x);
   }
-  const std::array<Vec3d, 3> ways = {t[0] - x, t[1] - x, t[2] - x};
+  const std::array<Vec3d, 3> ways = {corners[0] - x, corners[1] - x, corners[2] - x};
   Vec3d direction = direction_within(normalize(ways[0]), normalize(ways[1]), normalize(ways[2]),
                                      solid_angle, u1, u2);
   if (!is_finite(direction)) direction = normalize(ways[0] + ways[1] + ways[2]);

@@ -14,8 +14,9 @@ struct List<std::variant<Types...>> {
   static std::optional<Aperture> make(const FaceInput& input) {
     std::optional<Aperture> made;
     const auto takes = [&](auto aperture) {
-      if (aperture) made.emplace(*std::move(aperture));
-      return aperture.has_value();
+      const bool fits = aperture.has_value();
+      if (fits) made.emplace(*std::move(aperture));
+      return fits;
     };
     (void)(takes(Types::from(input)) || ...);
     return made;

@@ -235,7 +235,7 @@ void SamplingGrid::decide(const Cell& cell) {
     const std::uint32_t* const row = &nodes_.at((cell.column + cell.aside.right - 1) * cell.stride,
                                                 (cell.row + cell.aside.down + j - 1) * cell.stride);
     for (int i = 0; i < 4; ++i) {
-      const std::uint32_t probe_ray = row[i * cell.stride];
+      const std::uint32_t probe_ray = row[std::ptrdiff_t{i} * cell.stride];
       probe_rays[j][i] = &arrivals_[probe_ray];
       kinds[j][i] = kinds_[probe_ray];
       agree = agree && kinds[j][i] == kinds_[first];

@@ -38,7 +38,7 @@ class PortalReader {
   [[nodiscard]] std::optional<std::uint32_t> partner(std::uint32_t index) const;
   void check_backs(const Read& a, const Read& b) const;
   void check_congruent(const Read& a, const Read& b) const;
-  [[nodiscard]] static std::string remedy_for(const Read& a, const Read& b);
+  [[nodiscard]] static std::string remedy_for(const Read& first, const Read& second);
   [[nodiscard]] static std::string face_of(const Read& read);
 
   Faults* faults_;

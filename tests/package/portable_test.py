@@ -1,4 +1,4 @@
-"""A build without Embree, oneTBB and OpenImageIO takes the same pictures as one with them, to the bit.
+"""A build without Embree, oneTBB and the libraries of pictures takes the same pictures as one with them, to the bit.
 
     portable_test.py PORTABLE [OTHER]
 
@@ -99,7 +99,7 @@ class Portable(unittest.TestCase):
         done = self.run_program(PORTABLE, "check", "sky.toml")
         self.assertEqual(done.returncode, 2)
         self.assertIn("sky.toml:2: the picture sky.png can't be read: this portalens was built "
-                      "without OpenImageIO", done.stderr)
+                      "without libraries of pictures", done.stderr)
 
 
 if __name__ == "__main__":

@@ -48,7 +48,9 @@ class CheckLayers(unittest.TestCase):
         for line, place in (("<embree3/rtcore.h>", "geometry/box_tree.cpp"),
                             ("<tbb/parallel_for.h>", "render/parallel.h"),
                             ("<oneapi/tbb/task_arena.h>", "render/parallel.h"),
-                            ("<OpenImageIO/imageio.h>", "io/image.cpp")):
+                            ("<ImfHeader.h>", "io/exr_file.cpp"),
+                            ("<spng.h>", "io/png_file.cpp"),
+                            ("<turbojpeg.h>", "io/jpeg_file.cpp")):
             self.assertEqual(run_on({place: f"#include {line}\n"})[0], 0)
             status, output = run_on({"render/film.h": f"#include {line}\n"})
             self.assertEqual(status, 1)
