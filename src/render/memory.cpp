@@ -8,10 +8,10 @@ namespace portalens {
 namespace {
 
 // Measured as the peak of resident memory; tests/reliability/memory_test.cpp holds them.
-constexpr std::uint64_t bytes_of_program = std::uint64_t{120} << 20;
+constexpr std::uint64_t bytes_of_program = std::uint64_t{12} << 20;
 constexpr std::uint64_t bytes_a_triangle = 450;  // with the accelerator, and its building
 constexpr std::uint64_t bytes_a_value = 24;      // of a channel of a pixel, while it is encoded
-constexpr std::uint64_t bytes_a_thread = std::uint64_t{16} << 20;
+constexpr std::uint64_t bytes_a_thread = std::uint64_t{4} << 20;
 
 constexpr std::uint64_t bytes_a_tile_pixel =
     350;  // of photons, and of the sampling grid between them

@@ -128,7 +128,7 @@ class Package(unittest.TestCase):
         targets = next(PREFIX.rglob("portalensTargets.cmake")).read_text(encoding="utf-8")
         linked = re.search(r'INTERFACE_LINK_LIBRARIES "(.*)"', targets)[1]
         for library in linked.split(";"):
-            self.assertRegex(library.replace("\\", ""), r"^\$<LINK_ONLY:[A-Za-z:+]*>$")
+            self.assertRegex(library.replace("\\", ""), r"^\$<LINK_ONLY:[A-Za-z:+-]*>$")
         self.assertNotRegex(linked, "CLI11|nlohmann")
         self.assertNotIn(str(pathlib.Path(EXAMPLES).parent), targets)
 
