@@ -6,6 +6,7 @@
 #include "lanes/first_meeting.h"
 #include "lanes/gate_decisions.h"
 #include "lanes/path.h"
+#include "lanes/round_face.h"
 #include "lanes/scene.h"
 
 namespace portalens {
@@ -60,28 +61,51 @@ class LaneGateChanges : public LaneGateDecisions<R, Nearest> {
       if (gate.parent < 0 || gate.falls_short) {
         const Vec3<R> from = local - q;
         const R square = dot(from, from), inner = max(R(gate.reach) - path.sway, R(0));
-        keeps = keeps |
-                (acts & (square <= R(gate.reach2)) & (min(apart2_[g], square) <= inner * inner));
+        keeps = keeps | (acts & stays_within(g, square, inner, path));
         const auto waits = !(acts | keeps);
         if (any(waits)) keeps = keeps | (waits & stays_out_of(g, start, local, path));
       } else {
         keeps = R(0) < R(1);
       }
       const Vec3<R> sway = sway_of(g, path.sway, sway_x, sway_y);
-      sway_x[g] = nearest_[g].sway_x(sway);
-      sway_y[g] = nearest_[g].sway_y(sway);
+      if constexpr (LeadsOn<Nearest, R>) {
+        sway_x[g] = nearest_[g].sway_x(sway);
+        sway_y[g] = nearest_[g].sway_y(sway);
+      }
       if (any(acts)) keeps = keeps & (keeps_nearest(gate, nearest_[g], start, local, sway) | !acts);
       for (int i = 0; i < scene_.mass_count; ++i)
         if (gate.fades[i] && any(acts)) {
           const Vec3<R> image = spread<R>(gate.images[i]);
-          keeps = keeps & (keeps_its_side(seen_[g][i] > R(0), q0 - image, q - image,
-                                          R(scene_.masses[i].influence), path) |
-                           !acts);
+          keeps = keeps & (keeps_fading(g, i, q0 - image, q - image, path) | !acts);
         }
       may[g] = which & !keeps;
       some = some | may[g];
     }
     return any(some);
+  }
+
+  /// True only where a path that begins in reach of a gate stays so.
+  /// @param square  of the distance at its end
+  /// @param inner   the reach, less what the path may stray from its chord
+  [[nodiscard]] Mask stays_within(int g, R square, R inner, const LanePath<R>& path) const {
+    const R most = max(apart2_[g], square), least = min(apart2_[g], square);
+    if constexpr (LeadsOn<Nearest, R>) {
+      return (square <= R(scene_.gates[g].reach2)) & (least <= inner * inner);
+    } else {  // right behind a face the distance from its rim is not convex
+      const R closer = max(inner - path.h, R(0));
+      return most <= closer * closer;
+    }
+  }
+
+  /// True only where a mass goes on to act through a gate, or not to act.
+  /// @param first, last  from its image to the nearest point, at both ends
+  [[nodiscard]] Mask keeps_fading(int g, int i, Vec3<R> first, Vec3<R> last,
+                                  const LanePath<R>& path) const {
+    const R influence(scene_.masses[i].influence);
+    if constexpr (LeadsOn<Nearest, R>)
+      return keeps_its_side(seen_[g][i] > R(0), first, last, influence, path);
+    else
+      return abs(sqrt(dot(first, first)) - influence) > path.h * nearest_[g].fastest();
   }
 
   /// True only where a path stays out of reach of a gate.
@@ -145,21 +169,28 @@ class LaneGateChanges : public LaneGateDecisions<R, Nearest> {
           const Vec3<R> to_mass = spread<R>(gate.images[i]) - q;
           const LaneSpan<R> to_masses{k > 0 ? faded[g][i] : R(0), dot(to_mass, to_mass)};
           faded[g][i] = to_masses.high;
+          R its_gap = gap;
+          if constexpr (!LeadsOn<Nearest, R>) its_gap = gap * nearest_[g].fastest();
           if (looks_at)
             first.offer_ball(still & acts, seen_[g][i] > R(0), R(scene_.masses[i].influence),
-                             to_masses, gap, span, [&] { return faded_on(g, i, path); });
+                             to_masses, its_gap, span, [&] { return faded_on(g, i, path); });
         }
       }
   }
 
   /// How far a mass is, on a path, from the nearest point of a gate that it acts through.
-  [[nodiscard]] LaneSquare<R> faded_on(int g, int i, const LanePath<R>& path) const {
-    const LocalPath<R> q = nearest_[g].led_by(seen_from(g, path));
+  [[nodiscard]] auto faded_on(int g, int i, const LanePath<R>& path) const {
     const LaneVec& image = scene_.gates[g].images[i];
-    return {q.x + R(-image.x),
-            q.y + R(-image.y),
-            {R(image.z), R(0), R(0), R(0), R(0), R(0)},
-            R(scene_.masses[i].influence2)};
+    const R influence2(scene_.masses[i].influence2);
+    if constexpr (LeadsOn<Nearest, R>) {
+      const LocalPath<R> q = nearest_[g].led_by(seen_from(g, path));
+      return LaneSquare<R>{q.x + R(-image.x),
+                           q.y + R(-image.y),
+                           {R(image.z), R(0), R(0), R(0), R(0), R(0)},
+                           influence2};
+    } else {
+      return LaneRoundFading<R>{nearest_[g], seen_from(g, path), spread<R>(image), influence2};
+    }
   }
 };
 

@@ -9,8 +9,16 @@
 
 namespace portalens {
 
+/// Whether the nearest point of a polynomial path has a polynomial path itself: then gates may have
+/// children.
+template <class Nearest, class R>
+concept LeadsOn = requires(const Nearest& nearest, const LocalPath<R>& path) {
+  nearest.led_by(path);
+};
+
 /// The decisions of one step.
-/// @tparam Nearest  the nearest feature of a portal: of a rectangle, or `LaneOutlineNearest`
+/// @tparam Nearest  the nearest feature of a portal: `LaneNearest` (of a rectangle),
+///                  `LaneOutlineNearest`, `LaneSimpleNearest`, or `LaneRoundNearest`
 template <class R, class Nearest>
 class LaneGateDecisions {
  public:
@@ -80,11 +88,15 @@ class LaneGateDecisions {
   /// The path in a gate's coordinates; through another gate that of its nearest point.
   [[nodiscard]] LocalPath<R> seen_from(int g, const LanePath<R>& path) const {
     const LaneGate& gate = scene_.gates[g];
-    if (gate.parent < 0) return LocalPath<R>::over(gate, path);
-    const LocalPath<R> q = nearest_[gate.parent].led_by(seen_from(gate.parent, path));
-    return {q.x * R(gate.by_x.x) + q.y * R(gate.by_y.x) + R(gate.offset.x),
-            q.x * R(gate.by_x.y) + q.y * R(gate.by_y.y) + R(gate.offset.y),
-            q.x * R(gate.by_x.z) + q.y * R(gate.by_y.z) + R(gate.offset.z)};
+    if constexpr (LeadsOn<Nearest, R>) {
+      if (gate.parent >= 0) {
+        const LocalPath<R> q = nearest_[gate.parent].led_by(seen_from(gate.parent, path));
+        return {q.x * R(gate.by_x.x) + q.y * R(gate.by_y.x) + R(gate.offset.x),
+                q.x * R(gate.by_x.y) + q.y * R(gate.by_y.y) + R(gate.offset.y),
+                q.x * R(gate.by_x.z) + q.y * R(gate.by_y.z) + R(gate.offset.z)};
+      }
+    }
+    return LocalPath<R>::over(gate, path);
   }
 
   const LaneScene& scene_;

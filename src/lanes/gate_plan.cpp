@@ -1,6 +1,9 @@
 // How lanes hold `closest-point`.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <optional>
+
 #include "core/words.h"
 #include "gravity/bound_light.h"
 #include "gravity/portal_face.h"
@@ -11,6 +14,13 @@
 
 namespace portalens {
 namespace {
+
+/// Of a circle.
+std::optional<double> radius_of(const Portal& portal) {
+  const auto* ellipse = std::get_if<Ellipse>(&portal.aperture);
+  if (!ellipse || ellipse->a() != ellipse->b()) return std::nullopt;
+  return ellipse->a();
+}
 
 /// Builds the tree of gates that `closest-point` recurses through.
 class GatePlanner {
@@ -24,11 +34,15 @@ class GatePlanner {
 
   /// Why it is not possible; empty where it is.
   [[nodiscard]] std::string plan() {
+    const auto is_round = [](const Portal& portal) { return radius_of(portal).has_value(); };
+    scene_.all_round =
+        coupling_.depth() == 1 && std::all_of(space_.mouths.begin(), space_.mouths.end(), is_round);
     for (const Portal& portal : space_.mouths)
-      if (coupling_.depth() > 0 && is_curved(portal.aperture))
+      if (coupling_.depth() > 0 && is_curved(portal.aperture) && !scene_.all_round)
         return fmt::format(
-            "portal {} is an {} (lanes take it with physics.portal_gravity = \"portal-mass\" "
-            "or \"none\", and polygons with closest-point, too)",
+            "portal {} is an {} (lanes take polygons with closest-point, or circles, if all "
+            "portals are, with physics.portal_gravity_depth = 1; ellipses with \"portal-mass\" "
+            "and \"none\")",
             in_quotes(portal.name), name_of(portal.aperture));
     if (add(coupling_.depth(), -1, no_portal, nullptr)) return "";
     if (masses_.size() > max_lane_masses)
@@ -85,8 +99,9 @@ class GatePlanner {
       gate.to_parent_y = back(frame.up);
       gate.to_parent_z = back(frame.normal);
     }
-    gate.half_width = static_cast<float>(rectangle.half_width);
-    gate.half_height = static_cast<float>(rectangle.half_height);
+    const auto round = radius_of(portal);
+    gate.half_width = static_cast<float>(round.value_or(rectangle.half_width));
+    gate.half_height = static_cast<float>(round.value_or(rectangle.half_height));
     gate.tolerance = static_cast<float>(portal.height_tolerance());
     gate.reach = static_cast<float>(reach);
     gate.reach2 = gate.reach * gate.reach;

@@ -65,9 +65,16 @@ class LaneGates : public LaneGateChanges<R, Nearest> {
     return first;
   }
 
-  /// Where a mass seen through a gate is so near that floats can't follow the light: `bare2`.
+  /// Where a mass seen through a gate is so near that floats can't follow the light: `bare2`; or
+  /// the nearest point of a gate turns too fast.
   [[nodiscard]] Mask too_near(Vec3<R> x) const {
     Mask found = R(1) < R(0);
+    if constexpr (!LeadsOn<Nearest, R>)
+      for (int g = 0; g < scene_.gate_count; ++g) {
+        const LaneGate& gate = scene_.gates[g];
+        const Vec3<R> local = to_axes(x - spread<R>(gate.origin), gate.right, gate.up, gate.normal);
+        found = found | ((reached_[g] > R(0)) & runs_round(gate, nearest_[g], local));
+      }
     if (!scene_.bare_through) return found;
     R qx[max_lane_gates], qy[max_lane_gates];
     for (int g = 0; g < scene_.gate_count; ++g) {

@@ -47,13 +47,13 @@ inline constexpr int lane_count = 32;  ///< as many as `LaneStep` has bits
 inline constexpr int max_lane_masses = 8;
 /// Those that are crossed by table, besides.
 inline constexpr int max_lane_isolated_masses = 128;
-inline constexpr int max_lane_gates = 20;
-inline constexpr int max_lane_portals = 8;
+inline constexpr int max_lane_gates = 32;
+inline constexpr int max_lane_portals = 32;
 /// Of a portal.
-inline constexpr int max_lane_edges = 12;
-inline constexpr int max_lane_polygons = 48;
-inline constexpr int max_lane_spheres = 24;
-inline constexpr int max_lane_boxes = 24;
+inline constexpr int max_lane_edges = 64;
+inline constexpr int max_lane_polygons = 192;
+inline constexpr int max_lane_spheres = 192;
+inline constexpr int max_lane_boxes = 96;
 
 inline constexpr int max_lane_many = 65536;
 /// Of many masses, those that act on any lane of a pack.
@@ -115,9 +115,9 @@ struct LaneGate {
   LaneVec offset, by_x, by_y;
   // With a parent: rotates an acceleration from this gate's local axes to its parent's (columns).
   LaneVec to_parent_x, to_parent_y, to_parent_z;
-  float half_width, half_height;
-  const LaneOutline* outline;  ///< null where all portals are rectangles
-  float tolerance;             ///< heights down to minus this count as in front
+  float half_width, half_height;  ///< of a rectangle; of a circle both are the radius
+  const LaneOutline* outline;     ///< null where all portals are rectangles
+  float tolerance;                ///< heights down to minus this count as in front
   float reach, reach2;
   float ball;  ///< radius of a ball about the middle out of which it does not act
   LaneVec images[max_lane_masses];  ///< of the masses, in local coordinates
@@ -229,6 +229,7 @@ struct LaneScene {
   LaneWay ways[max_lane_ways];
   LanePortal portals[max_lane_portals];
   bool all_convex;  ///< all outlines are polygons, and convex
+  bool all_round;   ///< all outlines are circles, and gates have no children
   /// One for each portal, or none where all are rectangles.
   LaneOutline outlines[max_lane_portals];
   LanePolygon polygons[max_lane_polygons];

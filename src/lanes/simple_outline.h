@@ -18,7 +18,7 @@ struct LaneSimpleNearest : LaneLinearNearest<R> {
   /// `right_behind` is added, so that to leave that region counts as a change even where the same
   /// edge is nearest afterwards.
   R feature;
-  static constexpr float right_behind = 64.0f;
+  static constexpr float right_behind = 2.0f * max_lane_edges;
   R distance_to_discontinuity;  ///< within this distance the nearest point does not jump
   R rim;                        ///< the distance from the rim, in the plane
   /// Of an edge, how far along it a place is, from 0 to `size`. Of a vertex, the same along the

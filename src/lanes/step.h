@@ -9,6 +9,7 @@
 #include "lanes/graviton_map.h"
 #include "lanes/many_masses.h"
 #include "lanes/meetings.h"
+#include "lanes/round_face.h"
 #include "lanes/shortest_path.h"
 #include "lanes/simple_outline.h"
 
@@ -319,6 +320,8 @@ std::uint32_t step_lanes(const LaneScene& scene, Lanes& lanes) {
     return step_lanes_in<R, LaneCoupled<R, LaneGravitonMap<R>>>(scene, lanes);
   if (scene.way_count > 0)
     return step_lanes_in<R, LaneCoupled<R, LaneShortestPath<R>>>(scene, lanes);
+  if (scene.gate_count > 0 && scene.all_round)
+    return step_lanes_in<R, LaneCoupled<R, LaneGates<R, LaneRoundNearest<R>>>>(scene, lanes);
   if (scene.gate_count > 0 && scene.outline_count > 0 && !scene.all_convex)
     return step_lanes_in<R, LaneCoupled<R, LaneGates<R, LaneSimpleNearest<R>>>>(scene, lanes);
   if (scene.gate_count > 0 && scene.outline_count > 0)

@@ -92,17 +92,22 @@ void add_weights(Draft& draft, Lot& lot, double heaviest) {
 
 void add_portals(Draft& draft, Lot& lot, double heaviest) {
   const int pairs = 1 + lot.weighted({6, 2, draft.depth < 3 ? 1.0 : 0.0});
+  // Lanes take circles with closest-point where all are, and not in a row.
+  const bool circles =
+      draft.coupling != "graviton-map" && draft.coupling != "shortest-path" && lot.chance(0.2);
+  if (circles) draft.depth = std::min(draft.depth, 1);
   for (int i = 0; i < pairs; ++i) {
     const double size = lot.logarithmic(0.4, 3.0);
     Frame a = lot.frame(lot.point(half_box));
     if (!draft.masses.empty() && lot.chance(0.25)) a = frame_near_a_mass(draft, lot, size);
     const bool rectangular = draft.coupling == "graviton-map" || draft.coupling == "shortest-path";
-    const auto polygon = rectangular && lot.chance(0.8)
+    const auto polygon = circles ? rectangle(1.4 * size, 1.4 * size)
+                         : rectangular && lot.chance(0.8)
                              ? rectangle(1.4 * size, 1.4 * size * lot.logarithmic(0.25, 1.0))
                              : random_polygon(lot, size);
     add_pair(draft, polygon, a, partner_of(a, lot, size));
     add_weights(draft, lot, heaviest);
-    if (is_rectangle(polygon) && lot.chance(0.3))
+    if (circles || (is_rectangle(polygon) && lot.chance(0.3)))
       for (std::size_t k = draft.portals.size() - 2; k < draft.portals.size(); ++k)
         draft.portals[k].round = true;
     for (std::size_t k = draft.portals.size() - 2; k < draft.portals.size(); ++k)

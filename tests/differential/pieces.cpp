@@ -16,6 +16,9 @@ std::vector<Vec3d> regular(int corners, double size, double first) {
   return polygon;
 }
 
+/// Few, or so many that it is nearly round.
+int corner_count(Lot& lot) { return lot.chance(0.25) ? lot.whole(9, 48) : lot.whole(3, 8); }
+
 /// Corners anywhere on an ellipse, none too near the next.
 std::vector<Vec3d> irregular(Lot& lot, int corners, double size) {
   const double flatness = lot.uniform(0.3, 1.0);
@@ -59,15 +62,16 @@ std::vector<Vec3d> rectangle(double width, double height) {
 }
 
 std::vector<Vec3d> random_polygon(Lot& lot, double size) {
+  const int corners = corner_count(lot);
   switch (lot.weighted({0.5, 0.15, 0.15, 0.2})) {
     case 0:
       return rectangle(1.4 * size, 1.4 * size * lot.logarithmic(0.25, 1.0));
     case 1:
-      return regular(lot.whole(3, 8), size, lot.uniform(0.0, 2.0));
+      return regular(corners, size, lot.uniform(0.0, 2.0));
     case 3:
       return notched(lot, size);
     default:
-      return irregular(lot, lot.whole(3, 8), size);
+      return irregular(lot, corners, size);
   }
 }
 

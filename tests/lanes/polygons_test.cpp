@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <ostream>
 
+#include "support/faces.h"
 #include "support/lanes.h"
 #include "support/random.h"
 #include "support/scale.h"
@@ -53,6 +54,17 @@ std::vector<Portal> pair_of(const Corners& corners, const Frame& a, const Frame&
   return portal_pair(here, there);
 }
 
+/// Two circles.
+std::vector<Portal> pair_of(double radius, const Frame& a, const Frame& b) {
+  std::vector<Portal> portals(2);
+  give_face(portals[0], ellipse_input(a, radius, radius));
+  give_face(portals[1], ellipse_input(b, radius, radius));
+  for (std::uint32_t i = 0; i < 2; ++i) portals[i].pair = 1 - i;
+  for (int i = 0; i < 2; ++i)
+    portals[i].passage = RigidPassage(motion_through(portals[i].frame, portals[1 - i].frame));
+  return portals;
+}
+
 void append(std::vector<Portal>& portals, std::vector<Portal> more) {
   const auto count = static_cast<std::uint32_t>(portals.size());
   for (Portal& portal : more) {
@@ -63,7 +75,7 @@ void append(std::vector<Portal>& portals, std::vector<Portal> more) {
 
 struct Case {
   const char* name;
-  Corners corners;
+  Corners corners;  ///< none of a circle
   const char* coupling;
   int depth;
 
@@ -91,9 +103,9 @@ PlannedSpace space_of(const char* coupling, int depth, std::vector<Portal> porta
 }
 
 PlannedSpace space_of(const Case& its) {
+  const Frame a = plane({-3, 1.6, -2}, 0.3, 0.2, 0.1), b = plane({3.5, 1.9, -3}, -0.5, -0.1, -0.2);
   return space_of(its.coupling, its.depth,
-                  pair_of(its.corners, plane({-3, 1.6, -2}, 0.3, 0.2, 0.1),
-                          plane({3.5, 1.9, -3}, -0.5, -0.1, -0.2)));
+                  its.corners.empty() ? pair_of(1.1, a, b) : pair_of(its.corners, a, b));
 }
 
 /// From before the portals, from behind and beside them.
@@ -110,7 +122,8 @@ std::vector<Photon> photons_from_all_sides(int count) {
   return photons;
 }
 
-/// @param deep  what comes through many portals in a row adds up, and so do its errors
+/// @param deep  what comes through many portals in a row adds up, and so do its errors; behind the
+///              middle of a circle neighbours part
 void expect_as_scalar(const PlannedSpace& space, const std::vector<Photon>& photons, bool deep) {
   ASSERT_TRUE(space.lanes);
   ASSERT_NE(lane_engine().step, nullptr);
@@ -140,7 +153,7 @@ class LanesThroughPolygons : public testing::TestWithParam<Case> {};
 
 TEST_P(LanesThroughPolygons, AgreeWithTheScalarEngineWithinFloatButForFewPhotons) {
   expect_as_scalar(space_of(GetParam()), photons_from_all_sides(scaled(2500)),
-                   GetParam().depth > 2);
+                   GetParam().depth > 2 || GetParam().corners.empty());
 }
 
 TEST_P(LanesThroughPolygons, GiveTheSameBitsWithEveryInstructionSet) {
@@ -168,7 +181,10 @@ INSTANTIATE_TEST_SUITE_P(Shapes, LanesThroughPolygons,
                                          Case{"pentagon", pentagon, "portal-mass", 1},
                                          Case{"pentagon", pentagon, "closest-point", 1},
                                          Case{"hexagon", regular(6), "closest-point", 2},
-                                         Case{"octagon", regular(8), "closest-point", 1}));
+                                         Case{"octagon", regular(8), "closest-point", 1},
+                                         Case{"nearly round", regular(40), "closest-point", 1},
+                                         Case{"circle", {}, "portal-mass", 1},
+                                         Case{"circle", {}, "closest-point", 1}));
 
 TEST(LanesThroughPolygons, TakeRectanglesAndOthersTogether) {
   std::vector<Portal> portals =
@@ -235,6 +251,25 @@ TEST(LanesThroughPolygons, MeetABackWhereAStepEndsCloseBehindIt) {
     EXPECT_GT(met, photons.size() / 5);
     EXPECT_LE(missed, photons.size() / 1000);
   }
+}
+
+TEST(LanesThroughPolygons, SeeMassesBeginAndCeaseToActThroughCircles) {
+  const Frame a = plane({-3, 1.6, -2}, 0.3, 0.2), b = plane({3.5, 1.9, -3}, -0.5, -0.1);
+  for (const double min_force : {3.0, 10.0, 20.0})
+    expect_as_scalar(space_of("closest-point", 1, pair_of(1.3, a, b), min_force),
+                     photons_from_all_sides(scaled(2500)), true);
+}
+
+TEST(LanesThroughPolygons, TakeCirclesOnlyWhereAllAreAndNoneInARow) {
+  const Frame a = plane({-3, 1.6, -2}, 0.3, 0.2), b = plane({3.5, 1.9, -3}, -0.5, -0.1);
+  const Frame c = plane({-7, 1.6, -2}, 0.3, 0.2), d = plane({7.5, 1.9, -3}, -0.5, -0.1);
+  EXPECT_TRUE(space_of("closest-point", 1, pair_of(1.0, a, b)).lanes);
+  EXPECT_FALSE(space_of("closest-point", 2, pair_of(1.0, a, b)).lanes);
+  std::vector<Portal> portals = pair_of(1.0, a, b);
+  append(portals, pair_of(0.8, c, d));
+  EXPECT_TRUE(space_of("closest-point", 1, portals).lanes);
+  append(portals, pair_of(rectangle, plane({0, 6, 0}, 0, 0), plane({0, 9, 0}, 0, 0)));
+  EXPECT_FALSE(space_of("closest-point", 1, portals).lanes);
 }
 
 TEST(LanesThroughPolygons, LeaveManyEdgesToTheScalarEngine) {
