@@ -133,7 +133,7 @@ TEST(LaneRefusal, NamesThePortalThatLanesDoNotTake) {
   };
   const Mass mass = mass_at({0, 4, 0}, 40, physics);
   EXPECT_EQ(refusal_of(physics, {mass}, pair_of(8)), "");
-  EXPECT_EQ(refusal_of(physics, {mass}, pair_of(32)), "portal 'door' has 32 edges (lanes take 12)");
+  EXPECT_EQ(refusal_of(physics, {mass}, pair_of(65)), "portal 'door' has 65 edges (lanes take 64)");
   physics.portal_gravity = "graviton-map";
   const std::string odd = refusal_of(physics, {mass}, pair_of(6));
   EXPECT_EQ(odd.find("portal 'door' is no rectangle"), 0u) << odd;

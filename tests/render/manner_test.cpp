@@ -67,7 +67,7 @@ TEST(Manner, OfTooManyThingsToGuardBeamsAgainstIsAllPhotons) {
     many += "[[sphere]]\ncenter = [" + std::to_string(i) + ", 9, 0]\nradius = 0.1\n";
   const Manner manner = manner_of(test::compiled(many), {});
   EXPECT_EQ(manner.engine, "lanes");
-  EXPECT_EQ(manner.left_to_scalar, "2 cube, 237 sphere");
+  EXPECT_EQ(manner.left_to_scalar, "2 cube, 69 sphere");
   EXPECT_EQ(manner.photons, "all");
   EXPECT_EQ(manner.why_all,
             "more than 256 surfaces, portals and masses are there to hold beams against");
