@@ -98,7 +98,7 @@ std::optional<Fault> missing_value(const CLI::App& program,
   const auto option_called = [&](const std::string& word) {
     return word.starts_with('-') ? named.front()->get_option_no_throw(word) : nullptr;
   };
-  for (std::size_t i = 1; i < arguments.size(); ++i) {
+  for (std::size_t i = 1; i < arguments.size() && arguments[i] != "--"; ++i) {
     const CLI::Option* option = option_called(arguments[i]);
     if (!option || option->get_items_expected_min() == 0) continue;
     if (i + 1 == arguments.size() || option_called(arguments[i + 1]))

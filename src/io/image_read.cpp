@@ -36,9 +36,12 @@ std::array<std::size_t, 3> color_channels(const std::vector<std::string>& channe
   };
   const std::array<std::size_t, 3> named{at("R"), at("G"), at("B")};
   if (*std::max_element(named.begin(), named.end()) < channels.size()) return named;
-  if (channels.size() > 2) return {0, 1, 2};
-  const std::size_t gray = at("Y") < channels.size() ? at("Y") : 0;
-  return {gray, gray, gray};
+  if (at("RY") < channels.size())
+    throw Refusal{"holds luminance and differences of colours", "save it as R, G and B"};
+  const bool gray = at("Y") < channels.size();
+  if (!gray && channels.size() > 2) return {0, 1, 2};
+  const std::size_t one = gray ? at("Y") : 0;
+  return {one, one, one};
 }
 
 /// What the decoder found, held against the limits once more: it may read a header otherwise.

@@ -48,12 +48,12 @@ class EnclosureObserver {
   EnclosureObserver(const World& world, Observations& observations)
       : world_(world),
         surfaces_(world.space.surfaces),
-        to_(world.space.portals.empty() ? observations.warnings : observations.remarks),
-        about_camera_(shape_around(surfaces_, world.camera.position)) {
+        to_(world.space.portals.empty() ? observations.warnings : observations.remarks) {
+    const auto around = shape_around(surfaces_, world.camera.position);
     // Rooms are often a mesh.
-    if (about_camera_ && !std::holds_alternative<Mesh>(surfaces_.shapes()[*about_camera_]))
+    if (around && !std::holds_alternative<Mesh>(surfaces_.shapes()[*around]))
       observations.remarks.push_back(
-          fmt::format("the camera lies within {}: it sees the inside", name(*about_camera_)));
+          fmt::format("the camera lies within {}: it sees the inside", name(*around)));
   }
 
   void about_lights() {
@@ -62,7 +62,7 @@ class EnclosureObserver {
       const auto* point = std::get_if<PointLight>(&look.lights[i]);
       if (!point) continue;
       const auto around = shape_around(surfaces_, point->position);
-      if (!around || around == about_camera_) continue;
+      if (!around || may_hold_camera(*around)) continue;
       tell(
           fmt::format("light {} lies within {}, and lights nothing but its inside; move it out, "
                       "or let the surface shine by itself (emitted, in its material)",
@@ -75,7 +75,7 @@ class EnclosureObserver {
     for (std::uint32_t i = 0; i < std::min(max_asked, shapes.size()); ++i) {
       const Box box = box_of(i);
       const auto around = shape_around(surfaces_, box.middle(), i);
-      if (!around || around == about_camera_ || !holds(box_of(*around), box)) continue;
+      if (!around || may_hold_camera(*around) || !holds(box_of(*around), box)) continue;
       tell(fmt::format("{} lies within {}: it is not seen from outside", name(i), name(*around)));
     }
   }
@@ -86,6 +86,10 @@ class EnclosureObserver {
   }
   [[nodiscard]] Box box_of(std::uint32_t shape) const {
     return std::visit([](const auto& one) { return one.bounds(); }, surfaces_.shapes()[shape]);
+  }
+  /// What else is in a room may hide its walls from the camera.
+  [[nodiscard]] bool may_hold_camera(std::uint32_t shape) const {
+    return holds(box_of(shape), {world_.camera.position, world_.camera.position});
   }
   static bool holds(const Box& outer, const Box& inner) {
     return outer.low.x < inner.low.x && inner.high.x < outer.high.x && outer.low.y < inner.low.y &&
@@ -98,7 +102,6 @@ class EnclosureObserver {
   const World& world_;
   const Accelerator& surfaces_;
   std::vector<std::string>& to_;
-  std::optional<std::uint32_t> about_camera_;
   std::size_t told_ = 0;
 };
 

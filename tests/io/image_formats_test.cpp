@@ -180,6 +180,53 @@ TEST(ImageFormats, EveryKindOfExrIsReadAsAnotherReaderReadsIt) {
         }
 }
 
+std::string refusal(const std::filesystem::path& file) {
+  Faults faults;
+  EXPECT_FALSE(read_image(file, {}, faults));
+  try {
+    faults.raise();
+  } catch (const SceneError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// Bytes too many before a marker are harmless; what is wrong behind them is not.
+TEST(ImageFormats, JpegsThatEndTooEarlyOrBreakBehindAWarningAreRefused) {
+  const TemporaryFolder folder;
+  Random random(14);
+  OIIO::ImageSpec spec(64, 64, 3, OIIO::TypeDesc::UINT8);
+  const std::string sound = TemporaryFolder::read(foreign(folder, "a.jpg", spec, random));
+  const std::size_t scan = sound.find("\xff\xda");
+  ASSERT_NE(scan, std::string::npos);
+  const std::string stray = sound.substr(0, scan) + "\x12\x34" + sound.substr(scan);
+  Faults faults;
+  EXPECT_TRUE(read_image(folder.write("b.jpg", stray), {}, faults));
+  const std::size_t half = scan + (stray.size() - scan) / 2;
+  EXPECT_NE(refusal(folder.write("c.jpg", stray.substr(0, half))).find("cut off"),
+            std::string::npos);
+  EXPECT_NE(refusal(folder.write("d.jpg", sound.substr(0, half) + "\xff\xd9")), "");
+  std::string other_table = stray;
+  other_table[other_table.find("\xff\xda") + 6] = '\x33';
+  EXPECT_NE(refusal(folder.write("e.jpg", other_table)), "");
+}
+
+TEST(ImageFormats, GrayWithOtherChannelsIsGray) {
+  const TemporaryFolder folder;
+  Random random(15);
+  OIIO::ImageSpec spec(5, 4, 3, OIIO::TypeDesc::FLOAT);
+  spec.channelnames = {"Y", "A", "Z"};
+  const auto file = foreign(folder, "a.exr", spec, random);
+  Faults faults;
+  const auto image = read_image(file, {}, faults);
+  ASSERT_TRUE(image);
+  const auto expected = read_otherwise(file).at("Y");
+  for (std::size_t i = 0; i < image->pixels.size(); ++i)
+    EXPECT_EQ(image->pixels[i], expected[i / 3]);
+  spec.channelnames = {"BY", "RY", "Y"};
+  EXPECT_NE(refusal(foreign(folder, "b.exr", spec, random)).find("luminance"), std::string::npos);
+}
+
 TEST(ImageFormats, ColoursOfALayerKeepTheirOrder) {
   const TemporaryFolder folder;
   OIIO::ImageSpec spec(2, 1, 3, OIIO::TypeDesc::FLOAT);

@@ -103,6 +103,15 @@ TEST(Enclosed, ACameraInARoomWithItsLampIsARemarkAndNoMore) {
   EXPECT_EQ(joined(world.remarks), "the camera lies within 'ball': it sees the inside\n");
 }
 
+TEST(Enclosed, WhatStandsInARoomBesideTheCameraIsNone) {
+  const std::string room = "[[cube]]\nname = \"room\"\ncenter = [0, 0, 0]\nsize = 12\n";
+  const std::string things =
+      "[[sphere]]\ncenter = [0, -1, 4]\nradius = 0.5\n"
+      "[[cube]]\ncenter = [2, 1, 0]\nsize = 0.5\n";
+  const World world = compiled(seen_from("[0, 0, 4]") + room + things + lamp_at("[0, 5, 0]"));
+  EXPECT_EQ(joined(world.warnings), "");
+}
+
 TEST(Enclosed, ASurfaceWithinAnotherIsAWarning) {
   const auto inner = [](const std::string& center) {
     return "[[cube]]\nname = \"inner\"\ncenter = " + center + "\nsize = 0.5\n";
