@@ -107,7 +107,7 @@ void add_portals(Draft& draft, Lot& lot, double heaviest) {
                              : random_polygon(lot, size);
     add_pair(draft, polygon, a, partner_of(a, lot, size));
     add_weights(draft, lot, heaviest);
-    if (circles || (is_rectangle(polygon) && lot.chance(0.15)))
+    if (circles || (is_rectangle(polygon) && lot.chance(0.3)))
       for (std::size_t k = draft.portals.size() - 2; k < draft.portals.size(); ++k)
         draft.portals[k].round = true;
     for (std::size_t k = draft.portals.size() - 2; k < draft.portals.size(); ++k)

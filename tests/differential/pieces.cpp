@@ -62,16 +62,17 @@ std::vector<Vec3d> rectangle(double width, double height) {
 }
 
 std::vector<Vec3d> random_polygon(Lot& lot, double size) {
-  const int corners = corner_count(lot);
   switch (lot.weighted({0.5, 0.15, 0.15, 0.2})) {
     case 0:
       return rectangle(1.4 * size, 1.4 * size * lot.logarithmic(0.25, 1.0));
-    case 1:
+    case 1: {
+      const int corners = corner_count(lot);
       return regular(corners, size, lot.uniform(0.0, 2.0));
+    }
     case 3:
       return notched(lot, size);
     default:
-      return irregular(lot, corners, size);
+      return irregular(lot, corner_count(lot), size);
   }
 }
 
