@@ -21,9 +21,12 @@ void check_size(std::int64_t width, std::int64_t height) {
                   "a side has at most 16384 pixels, the whole at most 16384 x 8192"};
 }
 
+constexpr std::int64_t mebibyte = std::int64_t{1} << 20;
+
 /// @param ratio  by how much the format's coding can shrink anything at the very most
-void check_room(std::int64_t decoded, std::size_t bytes, std::int64_t ratio) {
-  constexpr std::int64_t slack = std::int64_t{1} << 20;
+/// @param slack  so much is granted to any file, bytes
+void check_room(std::int64_t decoded, std::size_t bytes, std::int64_t ratio,
+                std::int64_t slack = mebibyte) {
   if (decoded - slack > static_cast<std::int64_t>(bytes) * ratio)
     throw Refusal{"claims to be larger than its " + std::to_string(bytes) + " bytes can hold",
                   "save it again"};
@@ -191,14 +194,16 @@ struct ExrPart {
     const std::int64_t shown_bytes = std::max<std::int64_t>(12, 2 * bytes_a_pixel);
     check_room(shown_bytes * shown_width * shown_height, size, strongest);
     std::int64_t chunks = (height - 1) / coding.lines + 1;
-    std::int64_t at_once = bytes_a_pixel * width * std::min(coding.lines, height);
     if (tile_width > 0) {
       check_size(tile_width, tile_height);
       chunks = ((width - 1) / tile_width + 1) * ((height - 1) / tile_height + 1);
-      at_once = bytes_a_pixel * tile_width * tile_height;
+      // A tile may be larger than the picture, and the file none the larger for it; the decoder
+      // holds a whole tile and a row of them.
+      check_room(bytes_a_pixel * (tile_width + width) * tile_height, size, coding.ratio,
+                 128 * mebibyte);
     }
     check_room(8 * chunks, size, 1);  // where each begins is in the file
-    check_room(std::max(bytes_a_pixel * width * height, at_once), size, coding.ratio);
+    check_room(bytes_a_pixel * width * height, size, coding.ratio);
   }
 };
 

@@ -19,6 +19,9 @@ namespace {
 using Handle = std::unique_ptr<std::remove_pointer_t<tjhandle>, int (*)(tjhandle)>;
 
 [[noreturn]] void refuse(tjhandle handle) {
+  const std::string_view told = tjGetErrorStr2(handle);
+  if (told.find("subsampling type") != std::string_view::npos)
+    throw Refusal{"has a subsampling of colours that is not read", "save it with 4:4:4 or 4:2:0"};
   throw Refusal{std::string("is broken: ") + tjGetErrorStr2(handle), "save it again"};
 }
 

@@ -180,6 +180,17 @@ TEST(ImageFormats, EveryKindOfExrIsReadAsAnotherReaderReadsIt) {
         }
 }
 
+TEST(ImageFormats, TilesMayBeLargerThanTheirPicture) {
+  const TemporaryFolder folder;
+  Random random(16);
+  for (const char* packing : {"none", "zip"}) {
+    OIIO::ImageSpec spec(37, 41, 3, OIIO::TypeDesc::HALF);
+    spec.tile_width = spec.tile_height = 1024;
+    spec.attribute("compression", packing);
+    expect_same(foreign(folder, "a.exr", spec, random), packing);
+  }
+}
+
 std::string refusal(const std::filesystem::path& file) {
   Faults faults;
   EXPECT_FALSE(read_image(file, {}, faults));
@@ -209,6 +220,19 @@ TEST(ImageFormats, JpegsThatEndTooEarlyOrBreakBehindAWarningAreRefused) {
   std::string other_table = stray;
   other_table[other_table.find("\xff\xda") + 6] = '\x33';
   EXPECT_NE(refusal(folder.write("e.jpg", other_table)), "");
+}
+
+TEST(ImageFormats, JpegsOfRareSubsamplingAreRefusedAsSuch) {
+  const TemporaryFolder folder;
+  Random random(17);
+  OIIO::ImageSpec spec(64, 64, 3, OIIO::TypeDesc::UINT8);
+  spec.attribute("jpeg:subsampling", "4:2:0");
+  std::string rare = TemporaryFolder::read(foreign(folder, "a.jpg", spec, random));
+  const std::size_t frame = rare.find("\xff\xc0");
+  ASSERT_NE(frame, std::string::npos);
+  ASSERT_EQ(rare[frame + 11], '\x22');
+  rare[frame + 11] = '\x31';
+  EXPECT_NE(refusal(folder.write("b.jpg", rare)).find("subsampling of colours"), std::string::npos);
 }
 
 TEST(ImageFormats, GrayWithOtherChannelsIsGray) {
