@@ -24,8 +24,8 @@ constexpr double first_node = 0.5 - coarse_spacing;
 /// spare is whole photons, and of the smallest every fourth pixel has a probe ray of its own.
 /// Gravity through portals bends sharply at more than those borders.
 double max_third_difference(const Space& space, int stride) {
-  if (!std::holds_alternative<NoCoupling>(space.coupling)) return 0.4;
-  return stride == coarse ? 3.5 : stride == 1 ? 9.0 : 4.5;
+  if (!std::holds_alternative<NoCoupling>(space.coupling)) return 0.39;
+  return stride == coarse ? 3.4 : stride == 1 ? 8.7 : 4.35;
 }
 
 /// The share of that which is allowed where the probe rays lie aside: outside of its inner four
