@@ -171,7 +171,6 @@ struct NewcomerLight {
   LightSample sample(Vec3d x, double, double) const {
     return {position, intensity / dot(position - x, position - x)};
   }
-  double area() const { return 0.0; }
   Rgb power() const { return intensity * (4.0 * std::numbers::pi); }
 };
 }

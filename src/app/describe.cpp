@@ -204,7 +204,10 @@ Rgb power_of(const Light& light) {
 
 std::string light_text(const Appearance& look, const Light& light) {
   const auto index = static_cast<std::size_t>(&light - look.lights.data());
-  return fmt::format("  {}: power {} W\n", look.light_names[index], place(power_of(light)));
+  const bool distant =
+      std::visit([](const auto& one) { return Distant<std::decay_t<decltype(one)>>; }, light);
+  return fmt::format("  {}: {} {}\n", look.light_names[index], distant ? "irradiance" : "power",
+                     place(power_of(light)) + (distant ? " W/m²" : " W"));
 }
 
 template <class Item, class Text>

@@ -28,6 +28,13 @@ Environment Environment::from(Parameters& parameters, const ImageLoader& load) {
 }
 
 Rgb Environment::radiance(Vec3d direction) const {
+  Rgb sum = sky(direction);
+  for (const SkyDisc& disc : discs)
+    if (dot(direction, disc.towards) >= disc.cos_edge) sum += disc.radiance;
+  return sum;
+}
+
+Rgb Environment::sky(Vec3d direction) const {
   if (!image) return color;
   constexpr double pi = std::numbers::pi;
   const double azimuth = std::atan2(direction.x, -direction.z);  // 0 at -z, pi/2 at +x

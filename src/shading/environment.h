@@ -3,7 +3,9 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
+#include "shading/sky_disc.h"
 #include "shading/texture.h"
 
 namespace portalens {
@@ -14,12 +16,16 @@ struct Environment {
   std::shared_ptr<const Image> image;  ///< in place of the colour, if there is one
   Rgb scale{1, 1, 1};                  ///< by which the image is multiplied
   double rotation = 0.0;               ///< degrees, right-handed about +y
+  std::vector<SkyDisc> discs{};        ///< that shine beside either
 
   /// Keys color, image and rotation, and intensity, by which either is multiplied; of an image the
   /// colour scales the channels.
   static Environment from(Parameters& parameters, const ImageLoader& load);
   /// @param direction  unit vector towards the sky
   [[nodiscard]] Rgb radiance(Vec3d direction) const;
+
+ private:
+  [[nodiscard]] Rgb sky(Vec3d direction) const;
 };
 
 }  // namespace portalens

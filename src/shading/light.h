@@ -12,10 +12,12 @@
 ///       portal if the light isn't. u1 and u2 are uniform in [0, 1), and over them `irradiance` has
 ///       the mean that the light gives where nothing is in the way; what the light itself hides
 ///       may be left out of it.
-///   double area() const;                                 0 if it is_delta
 ///   Rgb power() const;
-///       W, of all that leaves it, on each side that shines; a texture's by many points of it
-/// and is immutable. What a [[light]] table may be has, too,
+///       W, of all that leaves it, on each side that shines; a texture's by many points of it; of
+///       what is infinitely far W/m², of a surface that faces it
+/// and is immutable. What is infinitely far has, too,
+///   std::optional<SkyDisc> disc() const;                 what is seen of it where light escapes
+/// and what a [[light]] table may be
 ///   static constexpr std::string_view name;              its `type` there
 ///   static T from(Parameters&);                          faults are collected there
 #pragma once
@@ -26,9 +28,17 @@
 #include "shading/point_light.h"
 #include "shading/portal_back_light.h"
 #include "shading/shape_light.h"
+#include "shading/spot_light.h"
+#include "shading/sun_light.h"
 
 namespace portalens {
 
-using Light = std::variant<PointLight, ShapeLight, MeshLight, PortalBackLight>;
+using Light = std::variant<PointLight, ShapeLight, MeshLight, PortalBackLight, SpotLight, SunLight>;
+
+/// Whether a light is infinitely far.
+template <class Any>
+concept Distant = requires(const Any& light) {
+  light.disc();
+};
 
 }  // namespace portalens

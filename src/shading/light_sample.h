@@ -14,6 +14,7 @@ struct LightSample {
   /// W/m², of a surface there that looks straight at the point, nothing being in the way: radiance
   /// over probability per solid angle, or intensity over the square of the distance.
   Rgb facing{};
+  bool distant = false;  ///< it is infinitely far, and `position` a step of length 1 towards it
 };
 
 /// Irradiance of a surface at `x` with unit normal `n`, from the sample that was drawn for `x`,

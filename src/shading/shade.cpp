@@ -35,7 +35,11 @@ Vec3d mirroring_normal(Vec3d normal, Vec3d outward, Vec3d out) {
 class Shader {
  public:
   Shader(const Space& space, const Appearance& appearance, ShadeOutput& output)
-      : space_(space), appearance_(appearance), points_(space, appearance), output_(output) {}
+      : space_(space),
+        appearance_(appearance),
+        points_(space, appearance),
+        output_(output),
+        beyond_all_(4.0 * space.extent) {}
 
   void take(const Photon& photon, const Arrival& arrival) {
     photon_ = &photon;
@@ -165,8 +169,16 @@ class Shader {
       if (height < -portal.height_tolerance() && !portal.two_sided) continue;
       LightSample image = light.sample(motion->move(point.lit_at()), u1, u2);
       image.position = motion->move_back(image.position);
-      if (crosses(i, point, image.position)) ask(point, bsdf, image, count, portal.tint, i);
+      if (crosses(i, point, end_of(image, point))) ask(point, bsdf, image, count, portal.tint, i);
     }
+  }
+
+  /// Where the straight path to a light's point ends: to one that is infinitely far, beyond all
+  /// that may be in the way, on this side of a portal and on the other.
+  [[nodiscard]] Vec3d end_of(const LightSample& sample, const ShadingPoint& point) const {
+    if (!sample.distant) return sample.position;
+    const Vec3d from = point.lit_at();
+    return from + (sample.position - from) * beyond_all_;
   }
 
   /// Whether the straight path from the point goes through the portal's face: from front to back,
@@ -198,7 +210,7 @@ class Shader {
     if (is_black(light)) return;
     ShadowQuery& query = output_.shadows.emplace_back();
     query.from = from;
-    query.to = sample.position;
+    query.to = end_of(sample, point);
     query.portal = portal;
     query.guard = point.leaving_to_light(way);
     query.contribution = light;
@@ -212,7 +224,8 @@ class Shader {
   ShadeOutput& output_;
   const Photon* photon_ = nullptr;
   const Arrival* arrival_ = nullptr;
-  Rgb share_;  ///< of what is here that reaches the film
+  Rgb share_;          ///< of what is here that reaches the film
+  double beyond_all_;  ///< a length: no way from one thing to another is half as long
 };
 
 }  // namespace

@@ -182,6 +182,12 @@ std::vector<UsedFile> used_files(const std::filesystem::path& scene, const Diges
   return files;
 }
 
+template <class Any>
+void add_disc(const Any& light, Environment& environment) {
+  if constexpr (Distant<Any>)
+    if (const auto disc = light.disc()) environment.discs.push_back(*disc);
+}
+
 }  // namespace
 
 World compile(const Scene& scene, const CompileOptions& options) {
@@ -222,6 +228,7 @@ World compile(const Scene& scene, const CompileOptions& options) {
   if (is_model_alone(scene))
     for (NamedLight& light : stage_lights(camera, objects)) lights.push_back(std::move(light));
   for (NamedLight& light : lights) {
+    std::visit([&](const auto& one) { add_disc(one, look.environment); }, light.light);
     look.light_names.push_back(std::move(light.name));
     look.lights.push_back(std::move(light.light));
   }

@@ -43,6 +43,18 @@ std::optional<std::uint32_t> shape_around(const Accelerator& surfaces, Vec3d pla
   return found;
 }
 
+/// Of a light that shines from one place.
+std::optional<Vec3d> place_of(const Light& light) {
+  return std::visit(
+      [](const auto& one) -> std::optional<Vec3d> {
+        if constexpr (requires { one.position; })
+          return one.position;
+        else
+          return std::nullopt;
+      },
+      light);
+}
+
 class EnclosureObserver {
  public:
   EnclosureObserver(const World& world, Observations& observations)
@@ -59,9 +71,9 @@ class EnclosureObserver {
   void about_lights() {
     const Appearance& look = world_.appearance;
     for (std::size_t i = 0; i < std::min(max_asked, look.lights.size()); ++i) {
-      const auto* point = std::get_if<PointLight>(&look.lights[i]);
-      if (!point) continue;
-      const auto around = shape_around(surfaces_, point->position);
+      const auto place = place_of(look.lights[i]);
+      if (!place) continue;
+      const auto around = shape_around(surfaces_, *place);
       if (!around || may_hold_camera(*around)) continue;
       tell(
           fmt::format("light {} lies within {}, and lights nothing but its inside; move it out, "
