@@ -198,16 +198,13 @@ std::string portal_text(const World& world, const Portal& portal) {
   return text;
 }
 
-Rgb power_of(const Light& light) {
-  return std::visit([](const auto& one) { return one.power(); }, light);
-}
-
 std::string light_text(const Appearance& look, const Light& light) {
   const auto index = static_cast<std::size_t>(&light - look.lights.data());
-  const bool distant =
-      std::visit([](const auto& one) { return Distant<std::decay_t<decltype(one)>>; }, light);
-  return fmt::format("  {}: {} {}\n", look.light_names[index], distant ? "irradiance" : "power",
-                     place(power_of(light)) + (distant ? " W/m²" : " W"));
+  const auto strength = [](const auto& one) {
+    const std::string power = place(one.power());
+    return Distant<decltype(one)> ? "irradiance " + power + " W/m²" : "power " + power + " W";
+  };
+  return "  " + look.light_names[index] + ": " + std::visit(strength, light) + '\n';
 }
 
 template <class Item, class Text>
@@ -291,7 +288,8 @@ std::string memory_line(const World& world) {
 Json describe_json(const Scene& scene, const World& world) {
   const Environment& environment = world.appearance.environment;
   Json powers = Json::array();
-  for (const Light& light : world.appearance.lights) powers.push_back(to_json(power_of(light)));
+  for (const Light& light : world.appearance.lights)
+    powers.push_back(std::visit([](const auto& one) { return to_json(one.power()); }, light));
   std::vector<std::string> notes = world.remarks;
   notes.insert(notes.end(), scene.notes.begin(), scene.notes.end());
   Json json = {{"scene", world.file.string()},

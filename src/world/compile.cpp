@@ -182,10 +182,17 @@ std::vector<UsedFile> used_files(const std::filesystem::path& scene, const Diges
   return files;
 }
 
-template <class Any>
-void add_disc(const Any& light, Environment& environment) {
-  if constexpr (Distant<Any>)
-    if (const auto disc = light.disc()) environment.discs.push_back(*disc);
+void take_lights(std::vector<NamedLight> lights, Appearance& look) {
+  for (NamedLight& light : lights) {
+    std::visit(
+        [&](const auto& one) {
+          if constexpr (Distant<decltype(one)>)
+            if (const auto disc = one.disc()) look.environment.discs.push_back(*disc);
+        },
+        light.light);
+    look.light_names.push_back(std::move(light.name));
+    look.lights.push_back(std::move(light.light));
+  }
 }
 
 }  // namespace
@@ -227,11 +234,7 @@ World compile(const Scene& scene, const CompileOptions& options) {
   for (NamedLight& light : emitters(objects, look.materials)) lights.push_back(std::move(light));
   if (is_model_alone(scene))
     for (NamedLight& light : stage_lights(camera, objects)) lights.push_back(std::move(light));
-  for (NamedLight& light : lights) {
-    std::visit([&](const auto& one) { add_disc(one, look.environment); }, light.light);
-    look.light_names.push_back(std::move(light.name));
-    look.lights.push_back(std::move(light.light));
-  }
+  take_lights(std::move(lights), look);
   look.bodies = std::move(objects.bodies);
   PlannedSpace space(physics, max_crossings, std::move(objects.shapes), std::move(objects.portals),
                      std::move(objects.masses), camera.position);
