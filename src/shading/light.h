@@ -16,6 +16,7 @@
 ///       W, of all that leaves it, on each side that shines; a texture's by many points of it; of
 ///       what is infinitely far W/m², of a surface that faces it
 /// and is immutable. What is infinitely far has, too,
+///   Vec3d towards() const;                               unit vector to its middle
 ///   std::optional<SkyDisc> disc() const;                 what is seen of it where light escapes
 /// and what a [[light]] table may be
 ///   static constexpr std::string_view name;              its `type` there
@@ -38,7 +39,7 @@ using Light = std::variant<PointLight, ShapeLight, MeshLight, PortalBackLight, S
 /// Whether a light is infinitely far.
 template <class Any>
 concept Distant = requires(const Any& light) {
-  light.disc();
+  light.towards();
 };
 
 }  // namespace portalens

@@ -22,6 +22,7 @@ class SunLight {
   [[nodiscard]] LightSample sample(Vec3d x, double u1, double u2) const;
   /// W/m², of a surface that faces it.
   [[nodiscard]] Rgb power() const { return irradiance_; }
+  [[nodiscard]] Vec3d towards() const { return towards_; }
   /// What is seen of it.
   [[nodiscard]] std::optional<SkyDisc> disc() const;
 

@@ -200,13 +200,24 @@ void about_light(const World& world, Warnings& warnings) {
             : "add a [[light]], or a shape whose material has emitted"));
 }
 
+/// What is odd about a lamp; nothing if nothing is.
+template <class Any>
+std::string oddity_of(const Any& light, Vec3d up) {
+  if (light.power() == Rgb{}) return "gives no light";
+  if constexpr (Distant<Any>)
+    if (dot(light.towards(), up) < -0.1)
+      return "shines from below: 'direction' is the way that its light goes";
+  return "";
+}
+
 void about_lamps(const World& world, std::vector<std::string>& remarks) {
   const Appearance& look = world.appearance;
   std::size_t found = 0;
   for (std::size_t i = 0; i < look.lights.size(); ++i) {
-    const Rgb power = std::visit([](const auto& light) { return light.power(); }, look.lights[i]);
-    if (power == Rgb{} && found++ < max_told)
-      remarks.push_back(fmt::format("light {} gives no light", in_quotes(look.light_names[i])));
+    const std::string oddity = std::visit(
+        [&](const auto& light) { return oddity_of(light, world.camera.up); }, look.lights[i]);
+    if (!oddity.empty() && found++ < max_told)
+      remarks.push_back(fmt::format("light {} {}", in_quotes(look.light_names[i]), oddity));
   }
 }
 

@@ -22,7 +22,7 @@ constexpr Vec3d middle{0, 3, 0};
 /// Of one that is infinitely far.
 template <class Type>
 void expect_power_on_what_faces(const Type& light) {
-  const Vec3d towards = light.disc()->towards;
+  const Vec3d towards = light.towards();
   Random random(1);
   const auto arrived = estimate(scaled(20000), [&](std::uint64_t) {
     const double u1 = random.uniform(0, 1), u2 = random.uniform(0, 1);

@@ -132,5 +132,16 @@ TEST(Enclosed, ALampWithoutLightIsARemark) {
   EXPECT_FALSE(says(compiled(seen + ball + lamp_at("[0, 3, 0]", "[0, 1, 0]")).remarks, told));
 }
 
+TEST(Enclosed, ASunFromBelowIsARemark) {
+  const auto sun = [](const std::string& direction) {
+    return "[[light]]\nname = \"sun\"\ntype = \"sun\"\nintensity = 1\ndirection = " + direction +
+           '\n';
+  };
+  const std::string told = "light 'sun' shines from below";
+  const std::string seen = seen_from("[0, 0, 5]");
+  EXPECT_TRUE(says(compiled(seen + ball + sun("[0, 1, 0]")).remarks, told));
+  EXPECT_FALSE(says(compiled(seen + ball + sun("[1, -0.2, 0]")).remarks, told));
+}
+
 }  // namespace
 }  // namespace portalens
