@@ -105,7 +105,8 @@ TEST(Faults, OfMaterials) {
       {"[[material]]\nname = \"a\"\n[[material]]\nname = \"a\"\n", 4, "'a' is taken by line 2",
        "name"},
       {light + sphere + "name = \"a\"\n", 8, "'a' is taken by line 2", "name"},
-      {"[[light]]\nposition = [0,0,0]\n", 1, "no 'intensity'", "three numbers"},
+      {"[[light]]\nposition = [0,0,0]\n", 1, "no 'intensity'",
+       "a number of at least 0, or a list of three"},
   });
 }
 
