@@ -13,7 +13,10 @@
 namespace portalens {
 namespace {
 
-constexpr std::size_t max_told = 20, max_asked = 2000;
+constexpr std::size_t max_told = 20;
+/// So many things are asked about, times as many shapes as there are: all of these may lie in one
+/// place, and a ray from there then meets each.
+constexpr std::size_t max_asked = 2000, max_asked_times_shapes = 2'000'000;
 constexpr double far = std::numeric_limits<double>::infinity();
 
 /// The first that the ray meets but `own`; nothing also where that takes many hits.
@@ -70,7 +73,7 @@ class EnclosureObserver {
 
   void about_lights() {
     const Appearance& look = world_.appearance;
-    for (std::size_t i = 0; i < std::min(max_asked, look.lights.size()); ++i) {
+    for (std::size_t i = 0; i < std::min(asked(), look.lights.size()); ++i) {
       const auto place = place_of(look.lights[i]);
       if (!place) continue;
       const auto around = shape_around(surfaces_, *place);
@@ -84,7 +87,7 @@ class EnclosureObserver {
 
   void about_bodies() {
     const auto& shapes = surfaces_.shapes();
-    for (std::uint32_t i = 0; i < std::min(max_asked, shapes.size()); ++i) {
+    for (std::uint32_t i = 0; i < std::min(asked(), shapes.size()); ++i) {
       const Box box = box_of(i);
       const auto around = shape_around(surfaces_, box.middle(), i);
       if (!around || may_hold_camera(*around) || !holds(box_of(*around), box)) continue;
@@ -93,6 +96,10 @@ class EnclosureObserver {
   }
 
  private:
+  [[nodiscard]] std::size_t asked() const {
+    const std::size_t shapes = std::max<std::size_t>(1, surfaces_.shapes().size());
+    return std::min(max_asked, max_asked_times_shapes / shapes);
+  }
   [[nodiscard]] std::string name(std::uint32_t shape) const {
     return in_quotes(world_.appearance.bodies[shape].name);
   }
