@@ -6,20 +6,26 @@
 namespace portalens {
 namespace {
 
-/// From the narrowest to the widest. Other processors than Intel's kind have none.
+/// From the narrowest to the widest. Other processors than Intel's kind have none, and some builds
+/// leave some out (PORTALENS_INSTRUCTION_SETS in CMakeLists.txt).
 std::array<LaneEngine, 3> engines() {
+  std::array<LaneEngine, 3> all{{{"sse4", nullptr}, {"avx2", nullptr}, {"avx512", nullptr}}};
 #ifdef __x86_64__
   __builtin_cpu_init();
-  const bool sse4 = __builtin_cpu_supports("sse4.2");
-  const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-  const bool avx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-                      __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw");
-  return {{{"sse4", sse4 ? step_lanes_sse4 : nullptr},
-           {"avx2", avx2 ? step_lanes_avx2 : nullptr},
-           {"avx512", avx512 ? step_lanes_avx512 : nullptr}}};
-#else
-  return {{{"sse4", nullptr}, {"avx2", nullptr}, {"avx512", nullptr}}};
+#ifdef PORTALENS_LANES_SSE4
+  if (__builtin_cpu_supports("sse4.2")) all[0].step = step_lanes_sse4;
 #endif
+#ifdef PORTALENS_LANES_AVX2
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+    all[1].step = step_lanes_avx2;
+#endif
+#ifdef PORTALENS_LANES_AVX512
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+      __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw"))
+    all[2].step = step_lanes_avx512;
+#endif
+#endif
+  return all;
 }
 
 }  // namespace
