@@ -97,9 +97,9 @@ INSTANTIATE_TEST_SUITE_P(Couplings, LanesOfCoupling,
 TEST(Lanes, APhotonsAnswerDoesNotDependOnItsNeighbours) {
   const PlannedSpace space = busy_space("closest-point", 1);
   const auto photons = camera_photons(500);
-  const auto together = in_lanes(space, photons, "sse4");
+  const auto together = in_lanes(space, photons, lane_engine().name);
   for (std::size_t i = 0; i < photons.size(); i += 7) {
-    const auto alone = in_lanes(space, {photons[i]}, "sse4");
+    const auto alone = in_lanes(space, {photons[i]}, lane_engine().name);
     ASSERT_EQ(alone[0].position, together[i].position);
     ASSERT_EQ(alone[0].turning, together[i].turning);
   }

@@ -164,9 +164,9 @@ TEST_P(LanesThroughPolygons, APhotonsAnswerDoesNotDependOnItsNeighbours) {
   const PlannedSpace space = space_of(GetParam());
   ASSERT_TRUE(space.lanes);
   const auto photons = photons_from_all_sides(scaled(1000));
-  const auto together = in_lanes(space, photons, "sse4");
+  const auto together = in_lanes(space, photons, lane_engine().name);
   for (std::size_t i = 0; i < photons.size(); i += 3) {
-    const auto alone = in_lanes(space, {photons[i]}, "sse4");
+    const auto alone = in_lanes(space, {photons[i]}, lane_engine().name);
     ASSERT_EQ(alone[0].position, together[i].position) << i;
     ASSERT_EQ(alone[0].turning, together[i].turning) << i;
     ASSERT_EQ(alone[0].steps, together[i].steps) << i;

@@ -34,8 +34,8 @@ inline void expect_same(const Arrival& a, const Arrival& b, std::size_t photon) 
 inline void expect_same_bits_with_every_set(const PlannedSpace& space,
                                             const std::vector<Photon>& photons) {
   ASSERT_TRUE(space.lanes);
-  const auto expected = in_lanes(space, photons, "sse4");
-  for (const char* isa : {"avx2", "avx512"}) {
+  const auto expected = in_lanes(space, photons, lane_engine().name);
+  for (const char* isa : {"sse4", "avx2", "avx512"}) {
     if (!lane_engine(isa).step) continue;
     const auto arrivals = in_lanes(space, photons, isa);
     for (std::size_t i = 0; i < photons.size(); ++i) expect_same(arrivals[i], expected[i], i);
