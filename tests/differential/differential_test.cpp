@@ -2,8 +2,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
-#include <map>
+#include <iterator>
 #include <set>
 #include <string>
 #include <vector>
@@ -19,6 +20,10 @@
 
 namespace portalens::differential {
 namespace {
+
+/// What stands in the reasons why lanes do not take a scene.
+constexpr const char* not_yet_in_lanes[] = {
+    "is an ellipse", "is no rectangle, as lanes want it for", "goes through portals on more than"};
 
 TEST(RandomScene, DependsOnItsSeedAndIndexOnly) {
   std::set<std::string> texts;
@@ -50,23 +55,35 @@ Tally tally_of(std::uint64_t seed, int count, const Wanted& wanted) {
   return tally;
 }
 
-/// The scenes are for the lanes: in every hundred five may be refused, and twenty more be left to
-/// the scalar engine, which most ellipses still are.
+/// So many of a hundred scenes may be refused, and as many more be left to the scalar engine: the
+/// scenes are for the lanes.
+constexpr double few = 0.05;
+
 TEST(RandomScenes, AreTakenInLanesWithFewExceptions) {
-  const int scenes = test::scaled(600);
-  int refused = 0, in_lanes = 0;
-  std::map<std::string, int> reasons;
-  for (std::uint64_t index = 0; index < static_cast<std::uint64_t>(scenes); ++index) {
+  const Tally tally = tally_of(11, test::scaled(60), [](const Draft&) { return true; });
+  const auto scenes = static_cast<double>(tally.scenes);
+  std::uint64_t refused = 0;
+  for (const auto& [reason, count] : tally.refused) refused += count;
+  EXPECT_LE(static_cast<double>(refused), few * scenes + 1);
+  EXPECT_GE(static_cast<double>(tally.lanes.scenes), (1.0 - 2.0 * few) * scenes - 2);
+  EXPECT_EQ(tally.timed_out, 0u);
+}
+
+/// Whoever teaches lanes one of these takes it from the list.
+TEST(RandomScenes, AreLeftToTheScalarEngineForKnownReasonsOnly) {
+  const auto is_known = [](const std::string& reason) {
+    return std::any_of(std::begin(not_yet_in_lanes), std::end(not_yet_in_lanes),
+                       [&](const char* known) { return reason.find(known) != std::string::npos; });
+  };
+  for (std::uint64_t index = 0; index < static_cast<std::uint64_t>(test::scaled(600)); ++index) {
     const SceneFolder folder;
     try {
-      const PlannedSpace& space = set_up(random_scene(11, index), folder).own.space;
-      space.lanes ? ++in_lanes : ++reasons[space.no_lanes_because];
+      const PlannedSpace& space = set_up(random_scene(15, index), folder).own.space;
+      EXPECT_TRUE(space.lanes || is_known(space.no_lanes_because)) << space.no_lanes_because;
     } catch (const SceneError&) {
-      ++refused;
+      continue;  // how many are refused is held above
     }
   }
-  EXPECT_LE(refused, 0.05 * scenes + 2);
-  EXPECT_GE(in_lanes, 0.75 * scenes - 2) << testing::PrintToString(reasons);
 }
 
 /// No row above its share, but that a few may be by chance.
