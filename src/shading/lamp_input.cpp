@@ -1,5 +1,6 @@
 #include "shading/lamp_input.h"
 
+#include "geometry/extent.h"
 #include "math/black_body.h"
 
 namespace portalens {
@@ -16,7 +17,7 @@ Rgb lamp_intensity(Parameters& parameters) {
 }
 
 Vec3d lamp_direction(Parameters& parameters) {
-  const Vec3d direction = to_vec3(parameters.triple("direction", any_number));
+  const Vec3d direction = to_vec3(parameters.triple("direction", coordinate));
   if (length(direction) > 0.0) return normalize(direction);
   parameters.fault("direction", "'direction' has no length",
                    "give the way that its light goes, for instance [0, -1, 0]");

@@ -168,7 +168,8 @@ class Shader {
       const double height = portal.frame.to_local(point.lit_at()).z;
       if (height < -portal.height_tolerance() && !portal.two_sided) continue;
       LightSample image = light.sample(motion->move(point.lit_at()), u1, u2);
-      image.position = motion->move_back(image.position);
+      image.position =
+          image.distant ? motion->rotate_back(image.position) : motion->move_back(image.position);
       if (crosses(i, point, end_of(image, point))) ask(point, bsdf, image, count, portal.tint, i);
     }
   }
@@ -176,9 +177,7 @@ class Shader {
   /// Where the straight path to a light's point ends: to one that is infinitely far, beyond all
   /// that may be in the way, on this side of a portal and on the other.
   [[nodiscard]] Vec3d end_of(const LightSample& sample, const ShadingPoint& point) const {
-    if (!sample.distant) return sample.position;
-    const Vec3d from = point.lit_at();
-    return from + (sample.position - from) * beyond_all_;
+    return sample.distant ? point.lit_at() + sample.position * beyond_all_ : sample.position;
   }
 
   /// Whether the straight path from the point goes through the portal's face: from front to back,
@@ -202,7 +201,7 @@ class Shader {
   [[gnu::always_inline]] void ask(const ShadingPoint& point, const Here& bsdf,
                                   const LightSample& sample, double count, Rgb tint,
                                   std::uint32_t portal) {
-    const Vec3d from = point.lit_at(), way = sample.position - from;
+    const Vec3d from = point.lit_at(), way = sample.way_from(from);
     if (!(dot(way, point.outward) > 0.0) && !point.bulges()) return;
     const Rgb value = bsdf.value(point.normal, -arrival_->direction, normalize(way));
     const Rgb share = share_ * value / std::numbers::pi / count * tint;

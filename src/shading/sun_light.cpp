@@ -19,7 +19,7 @@ SunLight SunLight::from(Parameters& parameters) {
 }
 
 /// Of its disc, evenly by solid angle.
-LightSample SunLight::sample(Vec3d x, double u1, double u2) const {
+LightSample SunLight::sample(Vec3d /*x*/, double u1, double u2) const {
   const double half_sine = std::sin(0.5 * half_angle_);
   const double below = u1 * 2.0 * half_sine * half_sine;  // 1 - cosine from its middle
   const double cosine = 1.0 - below, sine = std::sqrt(below * (1.0 + cosine));
@@ -27,7 +27,7 @@ LightSample SunLight::sample(Vec3d x, double u1, double u2) const {
   const Vec3d right = any_perpendicular(towards_), up = cross(towards_, right);
   LightSample sample;
   sample.position =
-      x + right * (sine * std::cos(around)) + up * (sine * std::sin(around)) + towards_ * cosine;
+      right * (sine * std::cos(around)) + up * (sine * std::sin(around)) + towards_ * cosine;
   sample.distant = true;
   // Over the disc the cosine at a surface that faces it has the mean (1 + cos) / 2.
   sample.facing = irradiance_ * (2.0 / (1.0 + std::cos(half_angle_)));
