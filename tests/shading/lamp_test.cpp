@@ -10,6 +10,7 @@
 #include "math/black_body.h"
 #include "support/list_types.h"
 #include "support/random.h"
+#include "support/scale.h"
 #include "support/shading.h"
 
 namespace portalens::test {
@@ -146,6 +147,43 @@ TEST(SunLight, ShinesThroughAPortalToo) {
   for (const ShadowQuery& query : output.shadows)
     if (query.portal != no_portal && visible(space, query)) contribution += query.contribution.x;
   EXPECT_NEAR(contribution, 0.5 / pi * 10 * std::sqrt(0.5), 1e-12);
+}
+
+/// On a floor among balls and a pair of doors: as a point does that is very far and very bright.
+TEST(SunLight, InRandomPlacesItIsAPointVeryFarAway) {
+  Random random(8);
+  int lit = 0, through_portals = 0;
+  for (int i = 0; i < scaled(300); ++i) {
+    std::vector<Shape> shapes{floor_quad(20)};
+    for (int k = 0; k < 5; ++k) {
+      const Vec3d center = random.point(5);
+      const double radius = random.uniform(0.2, 1.0);
+      shapes.emplace_back(Sphere(center, radius));
+    }
+    const double z = random.uniform(-3, -1), width = random.uniform(1, 4);
+    const PlannedSpace space = plain_space(
+        shapes, portal_pair({{-width, 0.1, z}, {width, 0.1, z}, {width, 4, z}, {-width, 4, z}},
+                            {{8, 0.1, -width}, {8, 0.1, width}, {8, 4, width}, {8, 4, -width}}));
+    Vec3d towards = random.direction();
+    towards.y = std::fabs(towards.y);
+    constexpr double far = 1e8;
+    const Vec3d place = towards * far;
+    const double intensity = 3 * far * far;
+    const Material grey = diffuse_material({0.5, 0.5, 0.5});
+    const Appearance sunny = appearance_with({grey}, {sun(-towards, 3, 0)}, 6);
+    const Appearance pointed =
+        appearance_with({grey}, {PointLight{place, {intensity, intensity, intensity}}}, 6);
+    const double x = random.uniform(-4, 4), depth = random.uniform(-1, 4);
+    const Arrival arrival = hit_at({x, 0, depth}, {0, -1, 0.1});
+    const ShadeOutput output = shade_one(space, sunny, arrival);
+    const double found = light_from(space, output).x;
+    EXPECT_NEAR(found, light_from(space, shade_one(space, pointed, arrival)).x, 1e-5) << i;
+    lit += found > 0.0 ? 1 : 0;
+    for (const ShadowQuery& query : output.shadows)
+      through_portals += query.portal != no_portal && visible(space, query) ? 1 : 0;
+  }
+  EXPECT_GT(lit, scaled(100));
+  EXPECT_GT(through_portals, scaled(300) / 50);
 }
 
 TEST(Lamps, TakeANumberAndAColourOrATemperature) {
