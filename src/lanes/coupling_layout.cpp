@@ -24,16 +24,6 @@ void CouplingLayout::mass(Vec3d center, double gm, double core2, double influenc
                      bare2_of(m, square)});
 }
 
-std::string CouplingLayout::odd_portal() const {
-  for (const Portal& portal : space_.mouths)
-    if (!(rectangle_of(portal).half_width > 0.0))
-      return fmt::format(
-          "portal {} is no rectangle, as lanes want it for {} (with closest-point "
-          "they take any of up to {} edges)",
-          in_quotes(portal.name), space_.physics.portal_gravity, max_lane_edges);
-  return "";
-}
-
 std::string add_coupling(const Space& space, LanePlan& plan, std::vector<LaneMass>& masses) {
   CouplingLayout layout(space, plan);
   const auto tell = [&](const auto& coupling) -> std::string {

@@ -31,8 +31,6 @@ class CouplingLayout {
   [[nodiscard]] const std::vector<LaneMass>& masses() const { return masses_; }
 
  private:
-  /// Says which portal is no rectangle; empty where all are.
-  [[nodiscard]] std::string odd_portal() const;
   /// Of the cells of a portal's map: `LaneMap::max_nearness`.
   [[nodiscard]] float max_nearness(std::uint32_t portal) const;
   /// `LaneWay::bare2` of a way through one portal.

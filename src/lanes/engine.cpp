@@ -36,7 +36,7 @@ std::string why_no_lanes(const PlannedSpace& space, Engine engine) {
   if (takes_lanes(space, engine)) return "";
   if (engine == Engine::scalar) return "it is asked for (--engine scalar)";
   if (!space.lanes) return space.no_lanes_because;
-  return "this processor has not the instructions that lanes need (SSE 4.2)";
+  return why_no_lane_engine();
 }
 
 void advance(const PlannedSpace& space, std::span<const Photon> photons,

@@ -75,7 +75,7 @@ struct LaneApart {
     const Vec3<R> local{path.x.at(u), path.y.at(u), path.z.at(u)};
     Nearest nearest_point = held;
     if (any(!acts)) nearest_point.take(!acts, Nearest::on(face, local));
-    return {local.x - nearest_point.x(local), local.y - nearest_point.y(local), local.z};
+    return local - nearest_point.place(local);
   }
 };
 

@@ -37,6 +37,8 @@ class OutlineLayout {
   void ellipse(double a, double b) {
     found_ = true;
     made_.outline.kind = LaneOutline::Kind::ellipse;
+    made_.outline.radius_x = static_cast<float>(a);
+    made_.outline.radius_y = static_cast<float>(b);
     made_.outline.per_x = static_cast<float>(1.0 / a);
     made_.outline.per_y = static_cast<float>(1.0 / b);
   }
@@ -120,7 +122,9 @@ LaneFace face_of(const Portal& portal, Vec3d center, double reach, double extent
           narrow(portal.frame.normal),
           static_cast<float>(rectangle.half_width),
           static_cast<float>(rectangle.half_height),
+          nullptr,
           static_cast<float>(portal.height_tolerance()),
+          static_cast<float>(reach),
           static_cast<float>(reach * reach),
           ball_about(portal, reach, extent)};
 }

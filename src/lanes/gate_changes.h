@@ -2,11 +2,11 @@
 /// Over lanes: where on a step's path changes what was decided about gates at its start.
 #pragma once
 
+#include "lanes/any_face.h"
 #include "lanes/face_axes.h"
 #include "lanes/first_meeting.h"
 #include "lanes/gate_decisions.h"
 #include "lanes/path.h"
-#include "lanes/round_face.h"
 #include "lanes/scene.h"
 
 namespace portalens {
@@ -52,9 +52,9 @@ class LaneGateChanges : public LaneGateDecisions<R, Nearest> {
       const LaneGate& gate = scene_.gates[g];
       const Vec3<R> start{anchor_x_[g], anchor_y_[g], anchor_z_[g]};
       const Vec3<R> local = local_of(g, end, qx, qy);
-      qx[g] = nearest_[g].x(local);
-      qy[g] = nearest_[g].y(local);
-      const Vec3<R> q0{nearest_[g].x(start), nearest_[g].y(start), R(0)}, q{qx[g], qy[g], R(0)};
+      const Vec3<R> q0 = nearest_[g].place(start), q = nearest_[g].place(local);
+      qx[g] = q.x;
+      qy[g] = q.y;
       const auto acts = reached_[g] > R(0);
       auto keeps = !which;
       if (gate.parent >= 0) keeps = keeps | !(reached_[gate.parent] > R(0));
@@ -105,7 +105,7 @@ class LaneGateChanges : public LaneGateDecisions<R, Nearest> {
     if constexpr (LeadsOn<Nearest, R>)
       return keeps_its_side(seen_[g][i] > R(0), first, last, influence, path);
     else
-      return abs(sqrt(dot(first, first)) - influence) > path.h * nearest_[g].fastest();
+      return abs(sqrt(dot(first, first)) - influence) > path.h * nearest_[g].fastest(path.h);
   }
 
   /// True only where a path stays out of reach of a gate.
@@ -113,8 +113,7 @@ class LaneGateChanges : public LaneGateDecisions<R, Nearest> {
                                   const LanePath<R>& path) const {
     const LaneGate& gate = scene_.gates[g];
     const Nearest last = Nearest::on(gate, end);
-    const Vec3<R> q0{nearest_[g].x(start), nearest_[g].y(start), R(0)},
-        q1{last.x(end), last.y(end), R(0)};
+    const Vec3<R> q0 = nearest_[g].place(start), q1 = last.place(end);
     // Past the plane the face is at once as near as that.
     const auto behind = is_behind(gate, nearest_[g], start) | is_behind(gate, last, end);
     const auto below = (start.z < R(0)) & keeps_margin(-start.z, -end.z, path.sway);
@@ -146,10 +145,10 @@ class LaneGateChanges : public LaneGateDecisions<R, Nearest> {
         Nearest nearest_point = nearest_[g];
         const auto acts = reached_[g] > R(0), other = has_other_nearest(gate, nearest_point, local);
         if (any(other & !acts)) nearest_point.take(other & !acts, Nearest::on(gate, local));
-        qx[g] = nearest_point.x(local);
-        qy[g] = nearest_point.y(local);
+        const Vec3<R> q = nearest_point.place(local), from = local - q;
+        qx[g] = q.x;
+        qy[g] = q.y;
         if (!asked[g]) continue;
-        const Vec3<R> q{qx[g], qy[g], R(0)}, from = local - q;
         const LaneSpan<R> reaches{k > 0 ? apart[g] : R(0), dot(from, from)};
         apart[g] = reaches.high;
         const LaneSpan<R> span = looks.before(k > 0 ? k : 1);
@@ -170,7 +169,7 @@ class LaneGateChanges : public LaneGateDecisions<R, Nearest> {
           const LaneSpan<R> to_masses{k > 0 ? faded[g][i] : R(0), dot(to_mass, to_mass)};
           faded[g][i] = to_masses.high;
           R its_gap = gap;
-          if constexpr (!LeadsOn<Nearest, R>) its_gap = gap * nearest_[g].fastest();
+          if constexpr (!LeadsOn<Nearest, R>) its_gap = gap * nearest_[g].fastest(path.h);
           if (looks_at)
             first.offer_ball(still & acts, seen_[g][i] > R(0), R(scene_.masses[i].influence),
                              to_masses, its_gap, span, [&] { return faded_on(g, i, path); });
@@ -189,7 +188,7 @@ class LaneGateChanges : public LaneGateDecisions<R, Nearest> {
                            {R(image.z), R(0), R(0), R(0), R(0), R(0)},
                            influence2};
     } else {
-      return LaneRoundFading<R>{nearest_[g], seen_from(g, path), spread<R>(image), influence2};
+      return LaneAnyFading<R>{{nearest_[g], seen_from(g, path)}, spread<R>(image), influence2};
     }
   }
 };

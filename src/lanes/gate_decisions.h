@@ -18,7 +18,7 @@ concept LeadsOn = requires(const Nearest& nearest, const LocalPath<R>& path) {
 
 /// The decisions of one step.
 /// @tparam Nearest  the nearest feature of a portal: `LaneNearest` (of a rectangle),
-///                  `LaneOutlineNearest`, `LaneSimpleNearest`, or `LaneRoundNearest`
+///                  `LaneOutlineNearest`, `LaneSimpleNearest`, or `LaneAnyNearest`
 template <class R, class Nearest>
 class LaneGateDecisions {
  public:
@@ -39,15 +39,15 @@ class LaneGateDecisions {
       anchor_y_[g] = local.y;
       anchor_z_[g] = local.z;
       nearest_[g] = Nearest::on(gate, local);
-      qx[g] = nearest_[g].x(local);
-      qy[g] = nearest_[g].y(local);
-      const Vec3<R> from{local.x - qx[g], local.y - qy[g], local.z};
+      const Vec3<R> q = nearest_[g].place(local), from = local - q;
+      qx[g] = q.x;
+      qy[g] = q.y;
       apart2_[g] = dot(from, from);
       const auto near = (apart2_[g] < R(gate.reach2)) & (above > R(0));
       reached_[g] = select(near, R(1), R(0));
       acting_ = acting_ | near;
       for (int i = 0; i < scene_.mass_count; ++i) {
-        const Vec3<R> d = spread<R>(gate.images[i]) - Vec3<R>{qx[g], qy[g], R(0)};
+        const Vec3<R> d = spread<R>(gate.images[i]) - q;
         seen_[g][i] = select(near & (dot(d, d) < R(scene_.masses[i].influence2)),
                              R(scene_.masses[i].gm), R(0));
       }

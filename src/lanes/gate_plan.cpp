@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 
 #include "core/words.h"
 #include "gravity/bound_light.h"
@@ -14,13 +13,6 @@
 
 namespace portalens {
 namespace {
-
-/// Of a circle.
-std::optional<double> radius_of(const Portal& portal) {
-  const auto* ellipse = std::get_if<Ellipse>(&portal.aperture);
-  if (!ellipse || ellipse->a() != ellipse->b()) return std::nullopt;
-  return ellipse->a();
-}
 
 /// Builds the tree of gates that `closest-point` recurses through.
 class GatePlanner {
@@ -34,16 +26,15 @@ class GatePlanner {
 
   /// Why it is not possible; empty where it is.
   [[nodiscard]] std::string plan() {
-    const auto is_round = [](const Portal& portal) { return radius_of(portal).has_value(); };
-    scene_.all_round =
-        coupling_.depth() == 1 && std::all_of(space_.mouths.begin(), space_.mouths.end(), is_round);
-    for (const Portal& portal : space_.mouths)
-      if (coupling_.depth() > 0 && is_curved(portal.aperture) && !scene_.all_round)
+    for (const Portal& portal : space_.mouths) {
+      if (coupling_.depth() == 0 || !is_curved(portal.aperture)) continue;
+      scene_.any_round = true;
+      if (coupling_.depth() > 1)
         return fmt::format(
-            "portal {} is an {} (lanes take polygons with closest-point, or circles, if all "
-            "portals are, with physics.portal_gravity_depth = 1; ellipses with \"portal-mass\" "
-            "and \"none\")",
+            "portal {} is an {} (with closest-point lanes take those with "
+            "physics.portal_gravity_depth = 1)",
             in_quotes(portal.name), name_of(portal.aperture));
+    }
     if (add(coupling_.depth(), -1, no_portal, nullptr)) return "";
     if (masses_.size() > max_lane_masses)
       return fmt::format(
@@ -67,10 +58,7 @@ class GatePlanner {
       if (scene_.gate_count == max_lane_gates || masses_.size() > max_lane_masses) return false;
       const int index = scene_.gate_count++;
       fill(scene_.gates[index], portals[a], reach, parent, entered);
-      if (scene_.outline_count > 0) {
-        if (a >= static_cast<std::uint32_t>(scene_.outline_count)) return false;
-        scene_.gates[index].outline = &scene_.outlines[a];
-      }
+      if (scene_.outline_count > 0) scene_.gates[index].outline = &scene_.outlines[a];
       if (!add(depth - 1, index, portals[a].pair, &portals[a])) return false;
     }
     return true;
@@ -99,9 +87,8 @@ class GatePlanner {
       gate.to_parent_y = back(frame.up);
       gate.to_parent_z = back(frame.normal);
     }
-    const auto round = radius_of(portal);
-    gate.half_width = static_cast<float>(round.value_or(rectangle.half_width));
-    gate.half_height = static_cast<float>(round.value_or(rectangle.half_height));
+    gate.half_width = static_cast<float>(rectangle.half_width);
+    gate.half_height = static_cast<float>(rectangle.half_height);
     gate.tolerance = static_cast<float>(portal.height_tolerance());
     gate.reach = static_cast<float>(reach);
     gate.reach2 = gate.reach * gate.reach;

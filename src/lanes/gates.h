@@ -70,19 +70,17 @@ class LaneGates : public LaneGateChanges<R, Nearest> {
   [[nodiscard]] Mask too_near(Vec3<R> x) const {
     Mask found = R(1) < R(0);
     if constexpr (!LeadsOn<Nearest, R>)
-      for (int g = 0; g < scene_.gate_count; ++g) {
-        const LaneGate& gate = scene_.gates[g];
-        const Vec3<R> local = to_axes(x - spread<R>(gate.origin), gate.right, gate.up, gate.normal);
-        found = found | ((reached_[g] > R(0)) & runs_round(gate, nearest_[g], local));
-      }
+      for (int g = 0; g < scene_.gate_count; ++g)
+        found = found | ((reached_[g] > R(0)) & runs_round(nearest_[g]));
     if (!scene_.bare_through) return found;
     R qx[max_lane_gates], qy[max_lane_gates];
     for (int g = 0; g < scene_.gate_count; ++g) {
       const Vec3<R> local = local_of(g, x, qx, qy);
-      qx[g] = nearest_[g].x(local);
-      qy[g] = nearest_[g].y(local);
+      const Vec3<R> q = nearest_[g].place(local);
+      qx[g] = q.x;
+      qy[g] = q.y;
       for (int i = 0; i < scene_.mass_count; ++i) {
-        const Vec3<R> d = spread<R>(scene_.gates[g].images[i]) - Vec3<R>{qx[g], qy[g], R(0)};
+        const Vec3<R> d = spread<R>(scene_.gates[g].images[i]) - q;
         found = found | ((reached_[g] > R(0)) & (dot(d, d) < R(scene_.gates[g].bare2[i])));
       }
     }
@@ -109,13 +107,14 @@ class LaneGates : public LaneGateChanges<R, Nearest> {
     for (int g = 0; g < scene_.gate_count; ++g) {
       const LaneGate& gate = scene_.gates[g];
       const Vec3<R> local = local_of(g, x, qx, qy), way = way_of(g, t, vx, vy);
-      qx[g] = nearest_[g].x(local);
-      qy[g] = nearest_[g].y(local);
+      const Vec3<R> q = nearest_[g].place(local);
+      qx[g] = q.x;
+      qy[g] = q.y;
       vx[g] = nearest_[g].speed_x(way);
       vy[g] = nearest_[g].speed_y(way);
       const auto acts = reached_[g] > R(0);
       if (gate.falls_short) {
-        const Vec3<R> from{local.x - qx[g], local.y - qy[g], local.z};
+        const Vec3<R> from = local - q;
         const Vec3<R> rate{way.x - vx[g], way.y - vy[g], way.z};
         const R ends =
             until_sphere(acts, -dot(from, rate), dot(from, from) - R(gate.reach2), dot(rate, rate));
@@ -124,7 +123,7 @@ class LaneGates : public LaneGateChanges<R, Nearest> {
       const R speed2 = multiply_add(vx[g], vx[g], vy[g] * vy[g]);
       for (int i = 0; i < scene_.mass_count; ++i) {
         if (!gate.fades[i]) continue;
-        const Vec3<R> d = spread<R>(gate.images[i]) - Vec3<R>{qx[g], qy[g], R(0)};
+        const Vec3<R> d = spread<R>(gate.images[i]) - q;
         const R ends = until_sphere(seen_[g][i] > R(0), multiply_add(d.x, vx[g], d.y * vy[g]),
                                     dot(d, d) - R(scene_.masses[i].influence2), speed2);
         least = min(least, select(acts, ends, R(never)));
@@ -140,11 +139,12 @@ class LaneGates : public LaneGateChanges<R, Nearest> {
     R ax[max_lane_gates], ay[max_lane_gates], az[max_lane_gates];
     for (int g = 0; g < scene_.gate_count; ++g) {
       const Vec3<R> local = local_of(g, x, qx, qy);
-      qx[g] = nearest_[g].x(local);
-      qy[g] = nearest_[g].y(local);
+      const Vec3<R> q = nearest_[g].place(local);
+      qx[g] = q.x;
+      qy[g] = q.y;
       ax[g] = ay[g] = az[g] = R(0);
       for (int i = 0; i < scene_.mass_count; ++i) {
-        const Vec3<R> to_mass = spread<R>(scene_.gates[g].images[i]) - Vec3<R>{qx[g], qy[g], R(0)};
+        const Vec3<R> to_mass = spread<R>(scene_.gates[g].images[i]) - q;
         const Source source =
             Source::of(dot(to_mass, to_mass) + R(scene_.masses[i].core2), seen_[g][i]);
         ax[g] = multiply_add(to_mass.x, source.pull, ax[g]);

@@ -1,12 +1,14 @@
 /// \file
-/// `graviton-map` over lanes, for rectangular portals: one look-up a portal.
+/// `graviton-map` over lanes: one look-up a portal.
 #pragma once
 
 #include "gravity/graviton_bilinear.h"
+#include "lanes/any_face.h"
 #include "lanes/border.h"
 #include "lanes/face_axes.h"
 #include "lanes/first_meeting.h"
 #include "lanes/four.h"
+#include "lanes/gate_decisions.h"
 #include "lanes/path.h"
 #include "lanes/pull.h"
 #include "lanes/rectangle.h"
@@ -14,7 +16,9 @@
 
 namespace portalens {
 
-template <class R>
+/// @tparam Nearest  the nearest feature of a portal: `LaneNearest`, of a rectangle, or
+///                  `LaneAnyNearest`
+template <class R, class Nearest>
 class LaneGravitonMap {
  public:
   using Mask = typename R::Mask;
@@ -27,14 +31,13 @@ class LaneGravitonMap {
     for (int k = 0; k < scene_.map_count; ++k) {
       const LaneMap& map = scene_.maps[k];
       const Vec3<R> local = local_in(map.face, anchor);
-      nearest_[k] = nearest_on(map.face, local);
-      const R x = nearest_[k].x(local), y = nearest_[k].y(local);
-      const R dx = local.x - x, dy = local.y - y;
-      const Mask near = dx * dx + dy * dy + local.z * local.z < R(map.face.reach2);
+      nearest_[k] = Nearest::on(map.face, local);
+      const Vec3<R> q = nearest_[k].place(local), from = local - q;
+      const Mask near = from.x * from.x + from.y * from.y + local.z * local.z < R(map.face.reach2);
       acts_[k] = select(near, R(1), R(0));
       acting_ = acting_ | near;
       // A step may run up to the nearest sharp cell; one that begins in a sharp cell ends with it.
-      const Cell cell = cell_of(map, Spot(map, x, y));
+      const Cell cell = cell_of(map, Spot(map, q));
       const R back = max(cell.to_sharp - R(1), R(0)), on = max(cell.to_sharp, R(1));
       low_x_[k] = R(map.low_x) + (cell.i - back) * R(map.spacing_x);
       high_x_[k] = R(map.low_x) + (cell.i + on) * R(map.spacing_x);
@@ -43,6 +46,7 @@ class LaneGravitonMap {
       nearness_[k] = cell.nearness * acts_[k];
       gradient_[k] = cell.gradient * acts_[k] * nearest_[k].moves();
       bound_ = bound_ | (near & (cell.nearness > R(map.max_nearness)));
+      if constexpr (!LeadsOn<Nearest, R>) bound_ = bound_ | (near & runs_round(nearest_[k]));
     }
   }
   [[nodiscard]] Mask acting() const { return acting_; }
@@ -52,7 +56,7 @@ class LaneGravitonMap {
     for (int k = 0; k < scene_.map_count; ++k) {
       const LaneFace& face = scene_.maps[k].face;
       const Vec3<R> way = to_axes(t, face.right, face.up, face.normal);
-      slowness[k] = slowness_of(nearest_[k].keep_x * way.x, nearest_[k].keep_y * way.y);
+      slowness[k] = slowness_of(nearest_[k].speed_x(way), nearest_[k].speed_y(way));
       sum.nearness = sum.nearness + nearness_[k] * slowness[k];
       add_gradient(sum, gradient_[k]);
     }
@@ -74,13 +78,13 @@ class LaneGravitonMap {
       const Vec3<R> turn = to_axes(bend, map.face.right, map.face.up, map.face.normal);
       LaneBorder<R> own = until_other_nearest(map.face, nearest_[k], (acts_[k] > R(0)) | (!acting_),
                                               local, way, turn);
-      const R qx = nearest_[k].x(local), qy = nearest_[k].y(local);
-      const R vx = nearest_[k].keep_x * way.x, vy = nearest_[k].keep_y * way.y;
+      const Vec3<R> q = nearest_[k].place(local);
+      const R vx = nearest_[k].speed_x(way), vy = nearest_[k].speed_y(way);
       const Vec3<R> right{R(1), R(0), R(0)}, up{R(0), R(1), R(0)};
-      own.offer({until_zero(qx - low_x_[k], vx), qx - low_x_[k], right});
-      own.offer({until_zero(qx - high_x_[k], vx), qx - high_x_[k], right});
-      own.offer({until_zero(qy - low_y_[k], vy), qy - low_y_[k], up});
-      own.offer({until_zero(qy - high_y_[k], vy), qy - high_y_[k], up});
+      own.offer({until_zero(q.x - low_x_[k], vx), q.x - low_x_[k], right});
+      own.offer({until_zero(q.x - high_x_[k], vx), q.x - high_x_[k], right});
+      own.offer({until_zero(q.y - low_y_[k], vy), q.y - low_y_[k], up});
+      own.offer({until_zero(q.y - high_y_[k], vy), q.y - high_y_[k], up});
       if (any(!acting))
         own.at = select(acting, own.at, max(own.at, until_ball(R(map.face.ball), local, way)));
       own.normal = to_world(map.face, own.normal);
@@ -97,33 +101,42 @@ class LaneGravitonMap {
       const LaneFace& face = scene_.maps[m].face;
       const Mask acts = acts_[m] > R(0);
       LaneSpan<R> squares{R(0), R(0)};
+      Vec3<R> start;
       for (int k = 0; k < LaneLooks<R>::count; ++k) {
         const Vec3<R> local = local_in(face, looks.place[k]);
-        LaneNearest<R> nearest_point = nearest_[m];
+        Nearest nearest_point = nearest_[m];
         const Mask other = has_other_nearest(face, nearest_point, local);
-        if (any(other & !acts)) nearest_point.take(other & !acts, nearest_on(face, local));
-        const R x = nearest_point.x(local), y = nearest_point.y(local);
-        const Vec3<R> from{local.x - x, local.y - y, local.z};
+        if (any(other & !acts)) nearest_point.take(other & !acts, Nearest::on(face, local));
+        const Vec3<R> q = nearest_point.place(local), from = local - q;
         squares = {squares.high, dot(from, from)};
+        if (k == 0) start = q;
         if (k == 0) continue;
         const LaneSpan<R> span = looks.before(k);
         const Mask still = which & first.open(span);
         if (!any(still)) continue;
         const Mask changed = still & acts & other;
-        const Mask leaves_x = (nearest_[m].keep_x > R(0)) & ((x < low_x_[m]) | (x > high_x_[m]));
-        const Mask leaves_y = (nearest_[m].keep_y > R(0)) & ((y < low_y_[m]) | (y > high_y_[m]));
+        // What does not move stays in its cell, whatever rounding says.
+        const Mask leaves_x = (!(q.x == start.x)) & ((q.x < low_x_[m]) | (q.x > high_x_[m]));
+        const Mask leaves_y = (!(q.y == start.y)) & ((q.y < low_y_[m]) | (q.y > high_y_[m]));
         if (any(changed | (still & acts & (leaves_x | leaves_y)))) {
           const auto seen = LocalPath<R>::over(face, path);
           offer_borders(first, face, nearest_[m], changed, seen, span);
           const Mask stays = still & acts & !changed;
-          first.offer(stays & leaves_x, seen.x + -select(x < low_x_[m], low_x_[m], high_x_[m]),
-                      span);
-          first.offer(stays & leaves_y, seen.y + -select(y < low_y_[m], low_y_[m], high_y_[m]),
-                      span);
+          const R line_x = select(q.x < low_x_[m], low_x_[m], high_x_[m]);
+          const R line_y = select(q.y < low_y_[m], low_y_[m], high_y_[m]);
+          if constexpr (LeadsOn<Nearest, R>) {
+            const LocalPath<R> led = nearest_[m].led_by(seen);
+            first.offer(stays & leaves_x, led.x + -line_x, span);
+            first.offer(stays & leaves_y, led.y + -line_y, span);
+          } else {
+            const LaneLed<R> led{nearest_[m], seen};
+            first.offer(stays & leaves_x, led.beyond(R(1), R(0), line_x), span);
+            first.offer(stays & leaves_y, led.beyond(R(0), R(1), line_y), span);
+          }
         }
         first.offer_ball(still, acts, sqrt(R(face.reach2)), squares, gap, span, [&] {
-          return LaneApart<R, LaneFace, LaneNearest<R>>{face, LocalPath<R>::over(face, path),
-                                                        nearest_[m], acts};
+          return LaneApart<R, LaneFace, Nearest>{face, LocalPath<R>::over(face, path), nearest_[m],
+                                                 acts};
         });
       }
     }
@@ -143,8 +156,9 @@ class LaneGravitonMap {
   struct alignas(64) Spot {
     float u[R::lanes], v[R::lanes], held_u[R::lanes], held_v[R::lanes];
 
-    Spot(const LaneMap& map, R x, R y) {
-      const R across = (x - R(map.low_x)) * R(map.per_x), along = (y - R(map.low_y)) * R(map.per_y);
+    Spot(const LaneMap& map, Vec3<R> q) {
+      const R across = (q.x - R(map.low_x)) * R(map.per_x);
+      const R along = (q.y - R(map.low_y)) * R(map.per_y);
       across.store(u);
       along.store(v);
       // What is no number is held at the last cell.
@@ -185,7 +199,7 @@ class LaneGravitonMap {
       if (!any(acts_[k] > R(0))) continue;
       const LaneMap& map = scene_.maps[k];
       const Vec3<R> local = local_in(map.face, x);
-      const Spot spot(map, nearest_[k].x(local), nearest_[k].y(local));
+      const Spot spot(map, nearest_[k].place(local));
       acts_[k].store(acts);
       weight(k).store(weights);
       for (int lane = 0; lane < R::lanes; ++lane) {
@@ -204,7 +218,7 @@ class LaneGravitonMap {
   }
 
   const LaneScene& scene_;
-  LaneNearest<R> nearest_[max_lane_portals];
+  Nearest nearest_[max_lane_portals];
   R acts_[max_lane_portals];  ///< 1 within reach, else 0
   R nearness_[max_lane_portals], gradient_[max_lane_portals];
   R low_x_[max_lane_portals], high_x_[max_lane_portals];

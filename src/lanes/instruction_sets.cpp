@@ -1,7 +1,13 @@
 #include "lanes/instruction_sets.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "core/words.h"
 
 namespace portalens {
 namespace {
@@ -42,6 +48,17 @@ LaneEngine lane_engine() {
   for (const LaneEngine& engine : engines())
     if (engine.step) widest = engine;
   return widest;
+}
+
+std::string why_no_lane_engine() {
+  std::vector<std::string> had;
+  for (const LaneEngine& engine : engines())
+    if (engine.step) had.emplace_back(engine.name);
+  const char* forced = std::getenv("PORTALENS_ISA");
+  if (forced && !had.empty())
+    return fmt::format("PORTALENS_ISA asks for {}, which this processor or program lacks ({})",
+                       in_quotes(forced), suggestion_or_list(forced, had));
+  return "this processor or program lacks the instructions that lanes need (SSE 4.2)";
 }
 
 }  // namespace portalens

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 #include "lanes/scene.h"
@@ -22,5 +23,7 @@ struct LaneEngine {
 [[nodiscard]] LaneEngine lane_engine();
 /// The one with that name; `step` is null if there is none or the processor lacks it.
 [[nodiscard]] LaneEngine lane_engine(std::string_view name);
+/// Why `lane_engine()` has no step. No capital letter, no full stop.
+[[nodiscard]] std::string why_no_lane_engine();
 
 }  // namespace portalens

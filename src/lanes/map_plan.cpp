@@ -62,7 +62,6 @@ float CouplingLayout::max_nearness(std::uint32_t portal) const {
 }
 
 std::string CouplingLayout::maps(const GravitonMapCoupling& coupling) {
-  if (std::string odd = odd_portal(); !odd.empty()) return odd;
   const std::vector<Portal>& portals = space_.mouths;
   const double inverse_c2 = space_.medium.uniform_weight() / (space_.physics.c * space_.physics.c);
   std::vector<std::size_t> first;
@@ -72,7 +71,8 @@ std::string CouplingLayout::maps(const GravitonMapCoupling& coupling) {
     if (plan_.scene.map_count == max_lane_portals)
       return fmt::format("more than {} sides of portals act (lanes take {})", max_lane_portals,
                          max_lane_portals);
-    const LaneFace face = face_of(portals[a], plan_.center, reach, space_.extent);
+    LaneFace face = face_of(portals[a], plan_.center, reach, space_.extent);
+    if (plan_.scene.outline_count > 0) face.outline = &plan_.scene.outlines[a];
     plan_.scene.maps[plan_.scene.map_count++] = map_of(coupling.grid(a), face, max_nearness(a));
     first.push_back(plan_.map_cells.size() / 3);
     add_nodes(coupling.grid(a), inverse_c2, plan_);

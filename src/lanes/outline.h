@@ -83,7 +83,9 @@ struct LaneLinearNearest {
   [[nodiscard]] R y(Vec3<R> local) const {
     return multiply_add(keep_xy, local.x, multiply_add(keep_yy, local.y, fix_y));
   }
-  [[nodiscard]] R moves() const { return keep_xx + keep_yy; }
+  [[nodiscard]] Vec3<R> place(Vec3<R> local) const { return {x(local), y(local), R(0)}; }
+  /// 1 where the nearest point moves as the photon does, be it along an edge only; else 0.
+  [[nodiscard]] R moves() const { return min(keep_xx + keep_yy, R(1)); }
   [[nodiscard]] R speed_x(Vec3<R> way) const {
     return multiply_add(keep_xx, way.x, keep_xy * way.y);
   }
@@ -307,7 +309,7 @@ template <class R, class Gate>
     }
     first.take(within, inner);
   }
-  const Vec3<R> from{local.x - nearest_point.x(local), local.y - nearest_point.y(local), local.z};
+  const Vec3<R> from = local - nearest_point.place(local);
   const Vec3<R> rate{way.x - nearest_point.speed_x(way), way.y - nearest_point.speed_y(way), way.z};
   const Vec3<R> bent{turn.x - nearest_point.speed_x(turn), turn.y - nearest_point.speed_y(turn),
                      turn.z};

@@ -115,6 +115,9 @@ void add_portals(const Space& space, Vec3d center, LaneScene& scene) {
             LanePlan::departed_from(space.portals.plane_of(i).plane),
             static_cast<float>(space.portals.plane_of(i).side)};
   }
+  if (plain) return;
+  for (std::size_t i = portals.size(); i < space.mouths.size(); ++i)
+    scene.outlines[scene.outline_count++] = lay_out_face(space.mouths[i]).outline;
 }
 
 /// The middle of what is solid; floats are finest there.

@@ -58,9 +58,8 @@ struct LaneChoice {
 /// Lanes leave to the scalar engine: a fixed-step integrator, a tolerance below 1e-5, infinite
 /// influences, masses or portals so far from each other that floats can't place them, lengths whose
 /// powers floats can't hold, portals of more edges than `max_lane_edges`, `closest-point` through
-/// an ellipse, or through a circle beside other portals or in a row, `graviton-map` and
-/// `shortest-path` through any that is no rectangle, `shortest-path` through more than one portal,
-/// laws that are not uniform where anything acts through portals or more than `max_lane_masses`
+/// ellipses in a row, `shortest-path` through one or through more than one portal, laws that are
+/// not uniform where anything acts through portals or more than `max_lane_masses`
 /// act, or more masses, portals, chains or paths than they have room for: of masses that are not
 /// alone `max_lane_masses` where a coupling looks at each through portals, else `max_lane_many`.
 /// docs/see-why.md lists the reasons as they are printed, and what to change.

@@ -19,6 +19,8 @@ struct LaneNearest {
 
   [[nodiscard]] R x(Vec3<R> local) const { return multiply_add(keep_x, local.x, fix_x); }
   [[nodiscard]] R y(Vec3<R> local) const { return multiply_add(keep_y, local.y, fix_y); }
+  /// The nearest point, in the plane.
+  [[nodiscard]] Vec3<R> place(Vec3<R> local) const { return {x(local), y(local), R(0)}; }
   [[nodiscard]] typename R::Mask same(const LaneNearest& other) const {
     return (keep_x == other.keep_x) & (fix_x == other.fix_x) & (keep_y == other.keep_y) &
            (fix_y == other.fix_y);
@@ -196,7 +198,7 @@ template <class R, class Rectangle>
     medial.offer(local.x + local.y - gap, way.x + way.y, turn.x + turn.y, x + y);
     first.take(behind, medial);
   }
-  const Vec3<R> from{local.x - nearest_point.x(local), local.y - nearest_point.y(local), local.z};
+  const Vec3<R> from = local - nearest_point.place(local);
   const Vec3<R> rate{way.x * (R(1) - nearest_point.keep_x), way.y * (R(1) - nearest_point.keep_y),
                      way.z};
   const R outside = dot(from, from) - R(rectangle.reach2);

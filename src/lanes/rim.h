@@ -11,17 +11,59 @@
 
 namespace portalens {
 
-/// Places are in the local coordinates of the face.
+/// How far a passage is from changing, as lengths. Where the place moves by d, `beyond` changes by
+/// at most d, and `lead` by at most 2 d.
+template <class R>
+struct LaneRimMargin {
+  R beyond;  ///< how much longer than the influence it is
+  R lead;    ///< how much shorter than that over another feature of the rim
+};
+
+/// Looks where a margin that is positive at two places may vanish between them: first at the
+/// bottom of the valley that it would fall into and come out of as steeply as it may.
+/// @param slope  the most that it changes by over the whole step
+/// @param at     the margin there
+template <class R, class At>
+void seek_margin(typename R::Mask may, LaneSpan<R> span, R low, R high, R slope, const At& at) {
+  constexpr int seeks = 4;
+  const auto bottom = [&](R a, R b, R width) { return a + b - slope * width; };
+  for (int i = 0; i < seeks; ++i) {
+    const R width = span.high - span.low;
+    may = may & (bottom(low, high, width) < R(0)) & (min(low, high) > R(0));
+    if (!any(may)) return;
+    const R u = span.low + min(max((low - high) / slope + width, R(0)) * R(0.5), width);
+    const R here = at(may, u);
+    // What is convex is least beside the lower of two neighbours.
+    const auto deep = here < min(low, high);
+    const auto deeper = bottom(low, here, u - span.low) < bottom(here, high, span.high - u);
+    const auto before = (deep & deeper) | ((!deep) & (low < high));
+    span = {select(before, span.low, u), select(before, u, span.high)};
+    low = select(before, low, here);
+    high = select(before, here, high);
+  }
+}
+
+/// The part of a path, as shares, where all that is asked of it is positive.
+template <class R>
+struct LaneOpenSpan {
+  LaneSpan<R> span;
+
+  /// @param may  else nothing is
+  explicit LaneOpenSpan(typename R::Mask may) : span{R(0), select(may, R(1), R(0))} {}
+  /// Of what changes evenly between the ends of the path.
+  void keep(R at_start, R at_end) {
+    const R zero = at_start / (at_start - at_end);
+    span.low = select(at_start < R(0), select(at_end < R(0), R(2), max(span.low, zero)), span.low);
+    span.high = select((at_end < R(0)) & (at_start >= R(0)), min(span.high, zero), span.high);
+  }
+};
+
+/// Of a rectangle. Places are in the local coordinates of the face.
 template <class R>
 struct LaneRim {
   using Mask = typename R::Mask;
+  using Margin = LaneRimMargin<R>;
 
-  /// How far a passage is from changing, as lengths. Where the place moves by d, `beyond` changes
-  /// by at most d, and `lead` by at most 2 d.
-  struct Margin {
-    R beyond;  ///< how much longer than the influence it is
-    R lead;    ///< how much shorter than that over another feature of the rim
-  };
   /// How a path passes the rim: over the edge along x or y on the line at `side`, or over a vertex.
   struct Passage {
     R code;  ///< 0: out of reach, 1: straight, else one number for each feature
@@ -80,45 +122,27 @@ struct LaneRim {
   [[nodiscard]] static LaneSpan<R> open_between(const LaneFace& face, const LaneWay& way, Vec3<R> a,
                                                 Vec3<R> b) {
     const Vec3<R> image = spread<R>(way.image);
-    LaneSpan<R> span{R(0), select(image.z <= R(face.tolerance), R(1), R(0))};
-    const auto keep = [&](R at_a, R at_b) {
-      const R zero = at_a / (at_a - at_b);
-      span.low = select(at_a < R(0), select(at_b < R(0), R(2), max(span.low, zero)), span.low);
-      span.high = select((at_b < R(0)) & (at_a >= R(0)), min(span.high, zero), span.high);
-    };
-    keep(a.z, b.z);
+    LaneOpenSpan<R> open(image.z <= R(face.tolerance));
+    open.keep(a.z, b.z);
     const R from_a = a.z - image.z, from_b = b.z - image.z;
     const auto between = [&](R at_a, R at_b, R top, R half) {
       const R aside_a = top * a.z - image.z * at_a, aside_b = top * b.z - image.z * at_b;
-      keep(half * from_a - aside_a, half * from_b - aside_b);
-      keep(half * from_a + aside_a, half * from_b + aside_b);
+      open.keep(half * from_a - aside_a, half * from_b - aside_b);
+      open.keep(half * from_a + aside_a, half * from_b + aside_b);
     };
     between(a.x, b.x, image.x, R(face.half_width));
     between(a.y, b.y, image.y, R(face.half_height));
-    return span;
+    return open.span;
   }
 
-  /// Looks where a margin that is positive at two places may vanish between them: first at the
-  /// bottom of the valley that it would fall into and come out of as steeply as it may.
-  /// @param slope  the most that it changes by over the whole step
-  /// @param at     the margin there
-  template <class At>
-  static void seek(Mask may, LaneSpan<R> span, R low, R high, R slope, const At& at) {
-    const auto bottom = [&](R a, R b, R width) { return a + b - slope * width; };
-    for (int i = 0; i < seeks; ++i) {
-      const R width = span.high - span.low;
-      may = may & (bottom(low, high, width) < R(0)) & (min(low, high) > R(0));
-      if (!any(may)) return;
-      const R u = span.low + min(max((low - high) / slope + width, R(0)) * R(0.5), width);
-      const R here = at(may, u);
-      // What is convex is least beside the lower of two neighbours.
-      const Mask deep = here < min(low, high);
-      const Mask deeper = bottom(low, here, u - span.low) < bottom(here, high, span.high - u);
-      const Mask before = (deep & deeper) | ((!deep) & (low < high));
-      span = {select(before, span.low, u), select(before, u, span.high)};
-      low = select(before, low, here);
-      high = select(before, here, high);
-    }
+  /// Where a path from a to b bends over the rim: an edge counts as its whole line.
+  [[nodiscard]] static Vec3<R> bend(const Held& held, Vec3<R> a, Vec3<R> b) {
+    const Mask along_x = held.along_x > R(0);
+    const R aside = select(along_x, a.y, a.x) - held.side;
+    const BesideLine<R> ends{select(along_x, a.x, a.y), sqrt(aside * aside + a.z * a.z),
+                             select(along_x, b.x, b.y), held.off};
+    const R place = select(held.slides > R(0), ends.meeting(), held.place);
+    return {select(along_x, place, held.side), select(along_x, held.side, place), R(0)};
   }
 
   static void freeze(const LaneWay& way, const Passage& passage, Held& held) {
@@ -134,8 +158,6 @@ struct LaneRim {
   }
 
  private:
-  static constexpr int seeks = 4;
-
   /// Whether the segment from a to b crosses the face from front to back.
   [[nodiscard]] static Mask straight_through(const LaneFace& face, Vec3<R> a, Vec3<R> b) {
     const R above = max(a.z, R(0)), below = max(-b.z, R(0));

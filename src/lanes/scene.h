@@ -100,8 +100,9 @@ struct LaneOutline {
   enum class Kind : std::int32_t { convex, simple, ellipse };
   Kind kind;
   int count;
-  float longest;       ///< of the edges
-  float per_x, per_y;  ///< of an ellipse: 1 over its radii
+  float longest;             ///< of the edges
+  float radius_x, radius_y;  ///< of an ellipse,
+  float per_x, per_y;        ///< and 1 over them
   LaneEdge edges[max_lane_edges];
 };
 
@@ -115,7 +116,7 @@ struct LaneGate {
   LaneVec offset, by_x, by_y;
   // With a parent: rotates an acceleration from this gate's local axes to its parent's (columns).
   LaneVec to_parent_x, to_parent_y, to_parent_z;
-  float half_width, half_height;  ///< of a rectangle; of a circle both are the radius
+  float half_width, half_height;  ///< of a rectangle
   const LaneOutline* outline;     ///< null where all portals are rectangles
   float tolerance;                ///< heights down to minus this count as in front
   float reach, reach2;
@@ -129,13 +130,14 @@ struct LaneGate {
   bool fades[max_lane_masses], falls_short;
 };
 
-/// A portal's rectangle, about its middle.
+/// A portal's face, about its frame's origin; members as of a `LaneGate`.
 struct LaneFace {
   LaneVec origin, right, up, normal;
   float half_width, half_height;
-  float tolerance;  ///< heights down to minus this count as in front
-  float reach2;
-  float ball;  ///< as of a `LaneGate`
+  const LaneOutline* outline;
+  float tolerance;
+  float reach, reach2;
+  float ball;
 };
 
 /// One mass of `shortest-path` through one portal. Local coordinates are those of its face.
@@ -229,9 +231,10 @@ struct LaneScene {
   LaneWay ways[max_lane_ways];
   LanePortal portals[max_lane_portals];
   bool all_convex;  ///< all outlines are polygons, and convex
-  bool all_round;   ///< all outlines are circles, and gates have no children
-  /// One for each portal, or none where all are rectangles.
-  LaneOutline outlines[max_lane_portals];
+  bool any_round;   ///< some outline is an ellipse, and gates act through it
+  /// One for each portal, then one for each back of a two-sided one; or none where all are
+  /// rectangles.
+  LaneOutline outlines[2 * max_lane_portals];
   LanePolygon polygons[max_lane_polygons];
   LaneSphere spheres[max_lane_spheres];
   LaneBox boxes[max_lane_boxes];

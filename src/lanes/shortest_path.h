@@ -1,5 +1,5 @@
 /// \file
-/// `shortest-path` over lanes, for chains of one rectangular portal.
+/// `shortest-path` over lanes, for chains of one portal.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,8 @@
 
 namespace portalens {
 
-template <class R>
+/// @tparam Rim  of the portals: `LaneRim`, of rectangles, or `LaneOutlineRim`
+template <class R, class Rim>
 class LaneShortestPath {
  public:
   using Mask = typename R::Mask;
@@ -105,18 +106,18 @@ class LaneShortestPath {
           const auto tell = [&](Mask where, R u) { found = select(where, min(found, u), found); };
           const Margin &a = before[i], &b = after[i];
           const Mask out = !(passed_[i] > R(0));
-          Rim::seek(still & out, span, a.beyond, b.beyond, path.h, [&](Mask may, R u) {
+          seek_margin(still & out, span, a.beyond, b.beyond, path.h, [&](Mask may, R u) {
             const Passage passage = passage_at(u);
             tell(may & (passage.code > R(0)), u);
             return passage.margin.beyond;
           });
-          Rim::seek(still & (passed_[i] > R(1)), span, a.lead, b.lead, R(2) * path.h,
-                    [&](Mask may, R u) {
-                      const Passage passage = passage_at(u);
-                      const Mask other = may & !(passage.code == passed_[i]);
-                      tell(other, u);
-                      return select(other, R(0), passage.margin.lead);
-                    });
+          seek_margin(still & (passed_[i] > R(1)), span, a.lead, b.lead, R(2) * path.h,
+                      [&](Mask may, R u) {
+                        const Passage passage = passage_at(u);
+                        const Mask other = may & !(passage.code == passed_[i]);
+                        tell(other, u);
+                        return select(other, R(0), passage.margin.lead);
+                      });
           const LaneSpan<R> open = Rim::open_between(entrance.face, scene_.ways[i], from, to);
           const Mask may = still & !(passed_[i] == R(1)) & (open.low < open.high);
           if (!any(may)) continue;
@@ -159,7 +160,6 @@ class LaneShortestPath {
   static constexpr bool foresees_planes = false;
 
  private:
-  using Rim = LaneRim<R>;
   using Margin = typename Rim::Margin;
   using Passage = typename Rim::Passage;
   using Held = typename Rim::Held;
@@ -206,12 +206,8 @@ class LaneShortestPath {
   [[nodiscard]] static Vec3<R> along_way(const LaneWay& way, const Held& held, Vec3<R> a,
                                          const Tell& tell) {
     const Vec3<R> b = spread<R>(way.image);
-    const Mask along_x = held.along_x > R(0), straight = held.straight > R(0);
-    const R aside = select(along_x, a.y, a.x) - held.side;
-    const BesideLine<R> ends{select(along_x, a.x, a.y), sqrt(aside * aside + a.z * a.z),
-                             select(along_x, b.x, b.y), held.off};
-    const R place = select(held.slides > R(0), ends.meeting(), held.place);
-    const Vec3<R> rim{select(along_x, place, held.side), select(along_x, held.side, place), R(0)};
+    const Mask straight = held.straight > R(0);
+    const Vec3<R> rim = Rim::bend(held, a, b);
     const Vec3<R> bend{select(straight, b.x, rim.x), select(straight, b.y, rim.y),
                        select(straight, b.z, rim.z)};
     const Vec3<R> ahead = bend - a, rest = b - bend;

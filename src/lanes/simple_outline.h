@@ -197,7 +197,7 @@ template <class R, class Gate>
                                                 const LaneSimpleNearest<R>& nearest_point,
                                                 typename R::Mask, Vec3<R> local, Vec3<R> way,
                                                 Vec3<R>) {
-  const Vec3<R> from{local.x - nearest_point.x(local), local.y - nearest_point.y(local), local.z};
+  const Vec3<R> from = local - nearest_point.place(local);
   const Vec3<R> rate{way.x - nearest_point.speed_x(way), way.y - nearest_point.speed_y(way), way.z};
   const R square = dot(from, from), outside = square - R(gate.reach2);
   const auto reached = square < R(gate.reach2);

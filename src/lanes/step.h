@@ -2,6 +2,7 @@
 /// One step of every lane: the default integrator over packs, with the events it may end in.
 #pragma once
 
+#include "lanes/any_face.h"
 #include "lanes/coupled.h"
 #include "lanes/crossing.h"
 #include "lanes/few_masses.h"
@@ -9,7 +10,7 @@
 #include "lanes/graviton_map.h"
 #include "lanes/many_masses.h"
 #include "lanes/meetings.h"
-#include "lanes/round_face.h"
+#include "lanes/outline_rim.h"
 #include "lanes/shortest_path.h"
 #include "lanes/simple_outline.h"
 
@@ -316,12 +317,16 @@ std::uint32_t step_by_law(const LaneScene& scene, Lanes& lanes, const std::varia
 
 template <class R>
 std::uint32_t step_lanes(const LaneScene& scene, Lanes& lanes) {
+  if (scene.map_count > 0 && scene.outline_count > 0)
+    return step_lanes_in<R, LaneCoupled<R, LaneGravitonMap<R, LaneAnyNearest<R>>>>(scene, lanes);
   if (scene.map_count > 0)
-    return step_lanes_in<R, LaneCoupled<R, LaneGravitonMap<R>>>(scene, lanes);
+    return step_lanes_in<R, LaneCoupled<R, LaneGravitonMap<R, LaneNearest<R>>>>(scene, lanes);
+  if (scene.way_count > 0 && scene.outline_count > 0)
+    return step_lanes_in<R, LaneCoupled<R, LaneShortestPath<R, LaneOutlineRim<R>>>>(scene, lanes);
   if (scene.way_count > 0)
-    return step_lanes_in<R, LaneCoupled<R, LaneShortestPath<R>>>(scene, lanes);
-  if (scene.gate_count > 0 && scene.all_round)
-    return step_lanes_in<R, LaneCoupled<R, LaneGates<R, LaneRoundNearest<R>>>>(scene, lanes);
+    return step_lanes_in<R, LaneCoupled<R, LaneShortestPath<R, LaneRim<R>>>>(scene, lanes);
+  if (scene.gate_count > 0 && scene.any_round)
+    return step_lanes_in<R, LaneCoupled<R, LaneGates<R, LaneAnyNearest<R>>>>(scene, lanes);
   if (scene.gate_count > 0 && scene.outline_count > 0 && !scene.all_convex)
     return step_lanes_in<R, LaneCoupled<R, LaneGates<R, LaneSimpleNearest<R>>>>(scene, lanes);
   if (scene.gate_count > 0 && scene.outline_count > 0)

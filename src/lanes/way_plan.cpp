@@ -21,7 +21,10 @@ float CouplingLayout::bare2_of_way(const ShortestPathCoupling::Image& image, con
 
 /// Chains of one portal only.
 std::string CouplingLayout::shortest_paths(const ShortestPathCoupling& coupling) {
-  if (std::string odd = odd_portal(); !odd.empty()) return odd;
+  for (const Portal& portal : space_.mouths)
+    if (is_curved(portal.aperture))
+      return fmt::format("portal {} is an {} (with shortest-path lanes take polygons)",
+                         in_quotes(portal.name), name_of(portal.aperture));
   LaneScene& scene = plan_.scene;
   if (coupling.images().size() > max_lane_ways)
     return fmt::format("shortest-path has {} paths from masses through portals (lanes take {})",
@@ -37,9 +40,11 @@ std::string CouplingLayout::shortest_paths(const ShortestPathCoupling& coupling)
     if (chain.front() != entered && scene.entrance_count == max_lane_portals)
       return fmt::format("more than {} sides of portals act (lanes take {})", max_lane_portals,
                          max_lane_portals);
-    if (chain.front() != entered)
-      scene.entrances[scene.entrance_count++] = {face_of(portal, plan_.center, 0.0, space_.extent),
-                                                 scene.way_count, scene.way_count};
+    if (chain.front() != entered) {
+      LaneFace face = face_of(portal, plan_.center, 0.0, space_.extent);
+      if (scene.outline_count > 0) face.outline = &scene.outlines[chain.front()];
+      scene.entrances[scene.entrance_count++] = {face, scene.way_count, scene.way_count};
+    }
     entered = chain.front();
     ++scene.entrances[scene.entrance_count - 1].end;
     const Vec3d local = portal.frame.to_local(image.center);

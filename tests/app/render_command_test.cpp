@@ -152,6 +152,12 @@ TEST(Render, SaysByWhichEngineAndWhyWhereverItTellsOfThePicture) {
   EXPECT_NE(folder.read("a.exr").find(why), std::string::npos);
   EXPECT_NE(run_portalens(folder.path(), {"check", "tiny.toml"}).output.find("engine      lanes"),
             std::string::npos);
+  const Outcome forced =
+      run_shell(folder.path(), "PORTALENS_ISA=avx3" + quoted({PORTALENS_PROGRAM, "check"}) +
+                                   quoted({"tiny.toml"}));
+  EXPECT_NE(forced.output.find("because PORTALENS_ISA asks for 'avx3', which this processor"),
+            std::string::npos)
+      << forced.output;
 }
 
 TEST(Render, OptionsStandAboveTheFile) {

@@ -92,7 +92,7 @@ void add_weights(Draft& draft, Lot& lot, double heaviest) {
 
 void add_portals(Draft& draft, Lot& lot, double heaviest) {
   const int pairs = 1 + lot.weighted({6, 2, draft.depth < 3 ? 1.0 : 0.0});
-  // Lanes take circles with closest-point where all are, and not in a row.
+  // Circles alone, too: behind these light is hardest to follow.
   const bool circles =
       draft.coupling != "graviton-map" && draft.coupling != "shortest-path" && lot.chance(0.2);
   if (circles) draft.depth = std::min(draft.depth, 1);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <ostream>
+#include <string_view>
 
 #include "support/faces.h"
 #include "support/lanes.h"
@@ -24,6 +25,8 @@ const Corners triangle = {{-1.1, -0.7}, {1.2, -0.8}, {-0.3, 1.1}};
 const Corners trapezium = {{-1.3, -0.8}, {1.2, -0.8}, {0.6, 0.9}, {-0.5, 0.9}};
 const Corners pentagon = {{-0.9, -0.9}, {0.7, -1.0}, {1.2, 0.2}, {0.1, 1.1}, {-1.1, 0.3}};
 const Corners rectangle = {{-1.0, -0.8}, {1.0, -0.8}, {1.0, 0.8}, {-1.0, 0.8}};
+
+const Corners star = {{1.2, 0}, {0.35, 0.4}, {-0.6, 1.0}, {-0.5, 0.0}, {-0.6, -1.0}, {0.35, -0.4}};
 
 Corners regular(int count) {
   Corners corners;
@@ -54,11 +57,14 @@ std::vector<Portal> pair_of(const Corners& corners, const Frame& a, const Frame&
   return portal_pair(here, there);
 }
 
-/// Two circles.
-std::vector<Portal> pair_of(double radius, const Frame& a, const Frame& b) {
+/// Two ellipses.
+struct Radii {
+  double x, y;
+};
+std::vector<Portal> pair_of(Radii radii, const Frame& a, const Frame& b) {
   std::vector<Portal> portals(2);
-  give_face(portals[0], ellipse_input(a, radius, radius));
-  give_face(portals[1], ellipse_input(b, radius, radius));
+  give_face(portals[0], ellipse_input(a, radii.x, radii.y));
+  give_face(portals[1], ellipse_input(b, radii.x, radii.y));
   for (std::uint32_t i = 0; i < 2; ++i) portals[i].pair = 1 - i;
   for (int i = 0; i < 2; ++i)
     portals[i].passage = RigidPassage(motion_through(portals[i].frame, portals[1 - i].frame));
@@ -75,9 +81,10 @@ void append(std::vector<Portal>& portals, std::vector<Portal> more) {
 
 struct Case {
   const char* name;
-  Corners corners;  ///< none of a circle
+  Corners corners;  ///< none of an ellipse
   const char* coupling;
   int depth;
+  Radii radii = {1.1, 1.1};
 
   friend std::ostream& operator<<(std::ostream& out, const Case& its) {
     return out << its.name << ' ' << its.coupling << ' ' << its.depth;
@@ -105,7 +112,7 @@ PlannedSpace space_of(const char* coupling, int depth, std::vector<Portal> porta
 PlannedSpace space_of(const Case& its) {
   const Frame a = plane({-3, 1.6, -2}, 0.3, 0.2, 0.1), b = plane({3.5, 1.9, -3}, -0.5, -0.1, -0.2);
   return space_of(its.coupling, its.depth,
-                  its.corners.empty() ? pair_of(1.1, a, b) : pair_of(its.corners, a, b));
+                  its.corners.empty() ? pair_of(its.radii, a, b) : pair_of(its.corners, a, b));
 }
 
 /// From before the portals, from behind and beside them.
@@ -173,18 +180,24 @@ TEST_P(LanesThroughPolygons, APhotonsAnswerDoesNotDependOnItsNeighbours) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Shapes, LanesThroughPolygons,
-                         testing::Values(Case{"triangle", triangle, "none", 0},
-                                         Case{"triangle", triangle, "closest-point", 1},
-                                         Case{"triangle", triangle, "closest-point", 3},
-                                         Case{"trapezium", trapezium, "closest-point", 2},
-                                         Case{"pentagon", pentagon, "portal-mass", 1},
-                                         Case{"pentagon", pentagon, "closest-point", 1},
-                                         Case{"hexagon", regular(6), "closest-point", 2},
-                                         Case{"octagon", regular(8), "closest-point", 1},
-                                         Case{"nearly round", regular(40), "closest-point", 1},
-                                         Case{"circle", {}, "portal-mass", 1},
-                                         Case{"circle", {}, "closest-point", 1}));
+INSTANTIATE_TEST_SUITE_P(
+    Shapes, LanesThroughPolygons,
+    testing::Values(
+        Case{"triangle", triangle, "none", 0}, Case{"triangle", triangle, "closest-point", 1},
+        Case{"triangle", triangle, "closest-point", 3},
+        Case{"trapezium", trapezium, "closest-point", 2},
+        Case{"pentagon", pentagon, "portal-mass", 1},
+        Case{"pentagon", pentagon, "closest-point", 1},
+        Case{"hexagon", regular(6), "closest-point", 2},
+        Case{"octagon", regular(8), "closest-point", 1},
+        Case{"nearly round", regular(40), "closest-point", 1}, Case{"circle", {}, "portal-mass", 1},
+        Case{"circle", {}, "closest-point", 1}, Case{"wide", {}, "closest-point", 1, {1.4, 0.8}},
+        Case{"tall", {}, "closest-point", 1, {0.4, 1.5}},
+        Case{"triangle", triangle, "shortest-path", 1}, Case{"star", star, "shortest-path", 1},
+        Case{"nearly round", regular(40), "shortest-path", 1},
+        Case{"triangle", triangle, "graviton-map", 1}, Case{"star", star, "graviton-map", 1},
+        Case{"pentagon", pentagon, "graviton-map", 2}, Case{"circle", {}, "graviton-map", 1},
+        Case{"tall", {}, "graviton-map", 1, {0.6, 1.5}}));
 
 TEST(LanesThroughPolygons, TakeRectanglesAndOthersTogether) {
   std::vector<Portal> portals =
@@ -253,23 +266,40 @@ TEST(LanesThroughPolygons, MeetABackWhereAStepEndsCloseBehindIt) {
   }
 }
 
-TEST(LanesThroughPolygons, SeeMassesBeginAndCeaseToActThroughCircles) {
+TEST(LanesThroughPolygons, SeeMassesBeginAndCeaseToActThroughEllipses) {
   const Frame a = plane({-3, 1.6, -2}, 0.3, 0.2), b = plane({3.5, 1.9, -3}, -0.5, -0.1);
-  for (const double min_force : {3.0, 10.0, 20.0})
-    expect_as_scalar(space_of("closest-point", 1, pair_of(1.3, a, b), min_force),
-                     photons_from_all_sides(scaled(2500)), true);
+  for (const Radii radii : {Radii{1.3, 1.3}, Radii{1.5, 0.7}})
+    for (const double min_force : {3.0, 10.0, 20.0})
+      expect_as_scalar(space_of("closest-point", 1, pair_of(radii, a, b), min_force),
+                       photons_from_all_sides(scaled(2500)), true);
 }
 
-TEST(LanesThroughPolygons, TakeCirclesOnlyWhereAllAreAndNoneInARow) {
+TEST(LanesThroughPolygons, TakeEllipsesBesidePolygonsButNoneInARow) {
   const Frame a = plane({-3, 1.6, -2}, 0.3, 0.2), b = plane({3.5, 1.9, -3}, -0.5, -0.1);
-  const Frame c = plane({-7, 1.6, -2}, 0.3, 0.2), d = plane({7.5, 1.9, -3}, -0.5, -0.1);
-  EXPECT_TRUE(space_of("closest-point", 1, pair_of(1.0, a, b)).lanes);
-  EXPECT_FALSE(space_of("closest-point", 2, pair_of(1.0, a, b)).lanes);
-  std::vector<Portal> portals = pair_of(1.0, a, b);
-  append(portals, pair_of(0.8, c, d));
-  EXPECT_TRUE(space_of("closest-point", 1, portals).lanes);
-  append(portals, pair_of(rectangle, plane({0, 6, 0}, 0, 0), plane({0, 9, 0}, 0, 0)));
-  EXPECT_FALSE(space_of("closest-point", 1, portals).lanes);
+  EXPECT_FALSE(space_of("closest-point", 2, pair_of(Radii{1.0, 1.0}, a, b)).lanes);
+  std::vector<Portal> portals = pair_of(Radii{1.2, 0.9}, a, b);
+  append(portals, pair_of(rectangle, plane({0, 4, -4}, 0.1, -0.4), plane({-1, 2, 3}, 2.5, 0.1)));
+  append(portals, pair_of(pentagon, plane({-6, 2, -1}, 0.4, 0.1), plane({6, 3, 0}, -0.7, 0.2)));
+  const PlannedSpace space = space_of("closest-point", 1, portals);
+  ASSERT_TRUE(space.lanes);
+  expect_as_scalar(space, photons_from_all_sides(scaled(2500)), true);
+}
+
+/// What acts through a back does so as through another portal in its place that faces the other
+/// way.
+TEST(LanesThroughPolygons, TakeThoseOfTwoSides) {
+  const Frame a = plane({-3, 1.6, -2}, 0.3, 0.2), b = plane({3.5, 1.9, -3}, -0.5, -0.1);
+  for (const char* coupling : {"closest-point", "graviton-map", "shortest-path"})
+    for (const bool round : {false, true}) {
+      if (round && std::string_view(coupling) == "shortest-path") continue;
+      SCOPED_TRACE(coupling);
+      std::vector<Portal> portals =
+          round ? pair_of(Radii{1.2, 0.9}, a, b) : pair_of(pentagon, a, b);
+      for (Portal& portal : portals) portal.two_sided = true;
+      const PlannedSpace space = space_of(coupling, 1, portals);
+      ASSERT_TRUE(space.lanes) << space.no_lanes_because;
+      expect_as_scalar(space, photons_from_all_sides(scaled(2500)), true);
+    }
 }
 
 TEST(LanesThroughPolygons, LeaveManyEdgesToTheScalarEngine) {

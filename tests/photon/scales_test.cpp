@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "lanes/plan.h"
+#include "support/faces.h"
 #include "support/random.h"
 #include "support/scale.h"
 #include "support/spaces.h"
@@ -134,9 +135,14 @@ TEST(LaneRefusal, NamesThePortalThatLanesDoNotTake) {
   const Mass mass = mass_at({0, 4, 0}, 40, physics);
   EXPECT_EQ(refusal_of(physics, {mass}, pair_of(8)), "");
   EXPECT_EQ(refusal_of(physics, {mass}, pair_of(65)), "portal 'door' has 65 edges (lanes take 64)");
-  physics.portal_gravity = "graviton-map";
-  const std::string odd = refusal_of(physics, {mass}, pair_of(6));
-  EXPECT_EQ(odd.find("portal 'door' is no rectangle"), 0u) << odd;
+  for (const char* coupling : {"graviton-map", "shortest-path"}) {
+    physics.portal_gravity = coupling;
+    EXPECT_EQ(refusal_of(physics, {mass}, pair_of(6)), "");
+  }
+  auto round = pair_of(6);
+  for (Portal& portal : round) give_face(portal, ellipse_input(portal.frame, 1.0, 0.8));
+  const std::string odd = refusal_of(physics, {mass}, round);
+  EXPECT_EQ(odd.find("portal 'door' is an ellipse"), 0u) << odd;
 }
 
 }  // namespace
