@@ -94,13 +94,16 @@ TEST(LaneEllipseNearest, MovesAsFastAsItSays) {
     const Found found = Found::on(gate, packed(local));
     if (any(runs_round(found))) continue;
     const Feature feature = ellipse.nearest(local, 0.0);
+    // At the tip of a thin one what a float's angle lacks counts for the square of that.
+    const double thin = std::fmax(ellipse.a(), ellipse.b()) / std::fmin(ellipse.a(), ellipse.b());
+    const double rounding = 1e-3 + 4e-6 * thin * thin;
     const double step = 1e-6 * std::fmin(ellipse.a(), ellipse.b());
     const Vec3d way = random.direction();
     const Vec3d before = ellipse.place(feature, local - way * step);
     const Vec3d after = ellipse.place(feature, local + way * step);
     const Vec3d exact = (after - before) * (0.5 / step);
     const Vec3d speed = first_of({found.speed_x(packed(way)), found.speed_y(packed(way)), R(0)});
-    ASSERT_LT(length(speed - exact), 2e-2 * (1.0 + length(exact))) << i;
+    ASSERT_LT(length(speed - exact), rounding * (1.0 + length(exact))) << i;
   }
 }
 
