@@ -97,7 +97,7 @@ TEST(LaneEllipseNearest, MovesAsFastAsItSays) {
     // At the tip of a thin one what a float's angle lacks counts for the square of that.
     const double thin = std::fmax(ellipse.a(), ellipse.b()) / std::fmin(ellipse.a(), ellipse.b());
     const double rounding = 1e-3 + 4e-6 * thin * thin;
-    const double step = 1e-6 * std::fmin(ellipse.a(), ellipse.b());
+    const double step = 1e-4 * std::fmin(ellipse.a(), ellipse.b());
     const Vec3d way = random.direction();
     const Vec3d before = ellipse.place(feature, local - way * step);
     const Vec3d after = ellipse.place(feature, local + way * step);
