@@ -128,12 +128,11 @@ Pull ClosestPointCoupling::through_portals(Vec3d x, Vec3d anchor, int depth,
     const Vec3d apart = local_anchor - place_anchor;
     if (!(dot(apart, apart) < acts_within * acts_within)) continue;
     const Vec3d q_anchor = face.frame().to_world(place_anchor);
-    const Vec3d q = x == anchor
-                        ? q_anchor
-                        : face.frame().to_world(face.place(feature, face.frame().to_local(x)));
+    const Vec3d local = x == anchor ? local_anchor : face.frame().to_local(x);
+    const Feature now = x == anchor ? feature : face.follow(feature, local);
+    const Vec3d q = x == anchor ? q_anchor : face.frame().to_world(face.place(now, local));
     Pull through = passed_on(a, q, q_anchor, depth);
-    // A vertex stays where it is; along a curved rim the nearest point may be quick.
-    through.gradient *= face.pace(feature, local_anchor);
+    through.lead(face.pace(now, local));
     total += through;
   }
   return total;

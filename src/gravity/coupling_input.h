@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 
+#include "gravity/attraction.h"
 #include "gravity/mass.h"
 #include "gravity/pull_part.h"
 #include "portal/portal.h"
@@ -53,6 +54,13 @@ struct Pull {
     gradient += other.gradient;
     potential += other.potential;
     return *this;
+  }
+
+  /// What comes from a point of a face that runs at that pace: a vertex stays where it is; along a
+  /// curved rim the point may be quick, and soon be elsewhere.
+  void lead(Pace pace) {
+    gradient *= pace.speed;
+    stiffness += swing_weight * gradient / (pace.pivot * pace.pivot);
   }
 };
 

@@ -62,11 +62,12 @@ Pull GravitonMapCoupling::pull(Vec3d x, Vec3d anchor) const {
     // Where nothing is drawn no feature is decided: its place on the grid would mean nothing.
     if (!draws(a, anchor, draw) || draw.kind == GravitonGrid::Kind::empty) continue;
     const PortalFace& face = exact_.face(a);
-    const Vec3d place = face.place(draw.feature, face.frame().to_local(x));
+    const Vec3d local = face.frame().to_local(x);
+    const Feature now = x == anchor ? draw.feature : face.follow(draw.feature, local);
+    const Vec3d place = face.place(now, local);
     const bool frozen = draw.kind == GravitonGrid::Kind::sharp;
     Pull through = grids_[a].interpolate(frozen ? draw.cell : grids_[a].cell_at(place), place);
-    // A vertex stays where it is; along a curved rim the nearest point may be quick.
-    through.gradient *= face.pace(draw.feature, face.frame().to_local(anchor));
+    through.lead(face.pace(now, local));
     total += through;
   }
   return total;

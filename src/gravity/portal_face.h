@@ -56,14 +56,19 @@ class PortalFace {
     return ask(aperture_, [&](const auto& a) { return a.still(feature, local); });
   }
 
-  /// The point of `feature` nearest to `local`, in local coordinates. An edge counts as its whole
-  /// line and the face as its whole plane, so this is smooth in `local`.
+  /// The same feature, as it is for another place.
+  [[nodiscard]] Feature follow(Feature feature, Vec3d local) const {
+    return ask(aperture_, [&](const auto& a) { return a.follow(feature, local); });
+  }
+  /// The point of `feature` nearest to `local`, for which it was found, or followed; in local
+  /// coordinates. An edge counts as its whole line and the face as its whole plane, so this is
+  /// smooth in `local`.
   [[nodiscard]] Vec3d place(Feature feature, Vec3d local) const {
     if (feature.kind == Feature::Kind::face) return {local.x, local.y, 0.0};
     return ask(aperture_, [&](const auto& a) { return a.place(feature, local); });
   }
-  /// How fast that point moves as `local` does, at the most.
-  [[nodiscard]] double pace(Feature feature, Vec3d local) const {
+  /// How that point runs as `local` does.
+  [[nodiscard]] Pace pace(Feature feature, Vec3d local) const {
     return ask(aperture_, [&](const auto& a) { return a.pace(feature, local); });
   }
 

@@ -52,6 +52,7 @@ struct LaneAnyNearest {
     return with([&](const auto& its) { return its.speed_y(way); });
   }
   /// As of a `LaneEllipseNearest`.
+  [[nodiscard]] R swings() const { return is_round() ? round.swings() : R(0); }
   [[nodiscard]] R fastest(R h) const { return is_round() ? round.fastest(h) : R(1); }
   [[nodiscard]] LaneAnyNearest moved_to(Vec3<R> local) const {
     LaneAnyNearest found = *this;

@@ -74,6 +74,12 @@ struct LaneEllipseNearest {
   }
   /// How fast the nearest point moves, as the photon does, at the most.
   [[nodiscard]] R moves() const { return select(over > R(0), R(1), slow); }
+  /// 1 over the square of the distance to the rim's centre of curvature, where the nearest point
+  /// would swing round at once.
+  [[nodiscard]] R swings() const {
+    const R per_radius = R(a * b) * slow / tangent2();
+    return select(over > R(0), R(0), per_radius * per_radius / tangent2());
+  }
   [[nodiscard]] R speed_x(Vec3<R> way) const {
     return select(over > R(0), way.x, -(R(a) * sin) * round(way));
   }

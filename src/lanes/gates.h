@@ -23,16 +23,22 @@ class LaneGates : public LaneGateChanges<R, Nearest> {
   /// the photon is: steps are the longer the slower those move.
   void add_to(BendingOf<R>& sum, Vec3<R> x, Vec3<R> t) const {
     R speed_x[max_lane_gates], speed_y[max_lane_gates], slowness[max_lane_gates];
+    [[maybe_unused]] R swings[max_lane_gates];
     for (int g = 0; g < scene_.gate_count; ++g) {
       const Vec3<R> way = way_of(g, t, speed_x, speed_y);
       speed_x[g] = nearest_[g].speed_x(way);
       speed_y[g] = nearest_[g].speed_y(way);
       slowness[g] = slowness_of(speed_x[g], speed_y[g]);
+      if constexpr (!LeadsOn<Nearest, R>)
+        swings[g] = R(2.0 * swing_weight * distant_weight) * nearest_[g].swings() *
+                    nearest_[g].moves() * slowness_of(way.x, way.y);
     }
     sum.acceleration += through_gates(x, [&](int g, const Source& source, R gm) {
       const R inverse4 = source.inverse2 * source.inverse2;
       sum.stiffness = multiply_add(source.pull * source.inverse2, R(distant_weight) * slowness[g],
                                    sum.stiffness);
+      if constexpr (!LeadsOn<Nearest, R>)
+        sum.stiffness = multiply_add(source.pull, swings[g], sum.stiffness);
       sum.nearness =
           select(gm > R(0), multiply_add(inverse4, slowness[g], sum.nearness), sum.nearness);
       add_gradient(sum, R(2) * source.pull * nearest_[g].moves());

@@ -58,6 +58,10 @@ class LaneGravitonMap {
       const Vec3<R> way = to_axes(t, face.right, face.up, face.normal);
       slowness[k] = slowness_of(nearest_[k].speed_x(way), nearest_[k].speed_y(way));
       sum.nearness = sum.nearness + nearness_[k] * slowness[k];
+      if constexpr (!LeadsOn<Nearest, R>)
+        sum.stiffness = multiply_add(gradient_[k] * nearest_[k].swings(),
+                                     R(swing_weight * distant_weight) * slowness_of(way.x, way.y),
+                                     sum.stiffness);
       add_gradient(sum, gradient_[k]);
     }
     const Found found = look_up(x, [&](int k) { return slowness[k]; });

@@ -17,11 +17,13 @@
 ///   Feature nearest(Vec3d local, double tolerance) const;
 ///       what of the face is nearest, by the one-sided rule: from in front of the plane (heights
 ///       down to -tolerance) of the face, from behind of its rim. Of places as near the first wins
+///   Feature follow(Feature, Vec3d local) const;
+///       the same feature, as it is for another place: a piece of a curved rim is followed from
+///       where it was found
 ///   Vec3d place(Feature, Vec3d local) const;
-///       the point of that feature nearest to `local`: an edge counts as its whole line, a piece of
-///       a curved rim is followed from where it was found: smooth in `local`
-///   double pace(Feature, Vec3d local) const;         how fast that point moves as `local` does, at
-///                                                    the most
+///       the point of that feature nearest to `local`, for which it was found, or followed: an edge
+///       counts as its whole line. So this is smooth in `local`
+///   Pace pace(Feature, Vec3d local) const;           how that point runs as `local` does
 ///   double distance_to_discontinuity(Vec3d local, double tolerance) const;
 ///       a lower bound of the distance from `local` to where the nearest point jumps
 ///   double still(Feature, Vec3d local) const;

@@ -29,11 +29,12 @@ class ConcavePolygon {
   [[nodiscard]] bool covers(double x, double y) const;
   /// The nearest point jumps also where a notch has two sides as near.
   [[nodiscard]] Feature nearest(Vec3d local, double tolerance) const;
+  [[nodiscard]] Feature follow(Feature feature, Vec3d) const { return feature; }
   [[nodiscard]] Vec3d place(Feature feature, Vec3d local) const {
     return place_on(edges_, feature, local);
   }
-  [[nodiscard]] double pace(Feature feature, Vec3d) const {
-    return feature.kind == Feature::Kind::vertex ? 0.0 : 1.0;
+  [[nodiscard]] Pace pace(Feature feature, Vec3d) const {
+    return {feature.kind == Feature::Kind::vertex ? 0.0 : 1.0};
   }
   [[nodiscard]] double distance_to_discontinuity(Vec3d local, double tolerance) const;
   [[nodiscard]] double still(Feature feature, Vec3d local) const {

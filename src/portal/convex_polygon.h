@@ -55,11 +55,12 @@ class ConvexPolygon {
     if (local.z >= -tolerance) return {Feature::Kind::face, 0};
     return {Feature::Kind::edge, best};
   }
+  [[nodiscard]] Feature follow(Feature feature, Vec3d) const { return feature; }
   [[nodiscard]] Vec3d place(Feature feature, Vec3d local) const {
     return place_on(edges_, feature, local);
   }
-  [[nodiscard]] double pace(Feature feature, Vec3d) const {
-    return feature.kind == Feature::Kind::vertex ? 0.0 : 1.0;
+  [[nodiscard]] Pace pace(Feature feature, Vec3d) const {
+    return {feature.kind == Feature::Kind::vertex ? 0.0 : 1.0};
   }
   [[nodiscard]] double distance_to_discontinuity(Vec3d local, double tolerance) const;
   [[nodiscard]] double still(Feature feature, Vec3d local) const {

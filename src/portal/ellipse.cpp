@@ -54,7 +54,7 @@ std::array<double, 2> Ellipse::slope(double x, double y, double cosine, double s
           apart * (cosine * cosine - sine * sine) + a_ * x * cosine + b_ * y * sine};
 }
 
-void Ellipse::follow(double x, double y, double& cosine, double& sine) const {
+void Ellipse::descend(double x, double y, double& cosine, double& sine) const {
   const auto square = [&](double c, double s) {
     const double dx = a_ * c - x, dy = b_ * s - y;
     return dx * dx + dy * dy;
@@ -101,20 +101,25 @@ Feature Ellipse::nearest(Vec3d local, double tolerance) const {
           std::copysign(std::fabs(sine), local.y)};
 }
 
-Vec3d Ellipse::place(Feature feature, Vec3d local) const {
-  if (feature.kind == Feature::Kind::face) return {local.x, local.y, 0.0};
-  double cosine = feature.cosine, sine = feature.sine;
-  follow(local.x, local.y, cosine, sine);
-  return {a_ * cosine, b_ * sine, 0.0};
+Feature Ellipse::follow(Feature feature, Vec3d local) const {
+  if (feature.kind != Feature::Kind::face) descend(local.x, local.y, feature.cosine, feature.sine);
+  return feature;
 }
 
-double Ellipse::pace(Feature feature, Vec3d local) const {
-  if (feature.kind == Feature::Kind::face) return 1.0;
+Vec3d Ellipse::place(Feature feature, Vec3d local) const {
+  if (feature.kind == Feature::Kind::face) return {local.x, local.y, 0.0};
+  return {a_ * feature.cosine, b_ * feature.sine, 0.0};
+}
+
+Pace Ellipse::pace(Feature feature, Vec3d local) const {
+  if (feature.kind == Feature::Kind::face) return {};
   const double c = feature.cosine, s = feature.sine;
   // As θ' = (the point's path along the rim's tangent) / D', whose length is that of the tangent.
   const double tangent2 = a_ * a_ * s * s + b_ * b_ * c * c;
   const double second = slope(local.x, local.y, c, s)[1];
-  return tangent2 / std::max(second, 1e-6 * tangent2);
+  const double speed = tangent2 / std::max(second, 1e-6 * tangent2);
+  const double radius_of_curvature = tangent2 * std::sqrt(tangent2) / (a_ * b_);
+  return {speed, radius_of_curvature / speed};
 }
 
 double Ellipse::distance_to_discontinuity(Vec3d local, double tolerance) const {

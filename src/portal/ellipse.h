@@ -36,8 +36,9 @@ class Ellipse {
   /// An edge: the rim. Behind the face two of its places are equally near at the middle line, so
   /// there its halves count as two.
   [[nodiscard]] Feature nearest(Vec3d local, double tolerance) const;
+  [[nodiscard]] Feature follow(Feature feature, Vec3d local) const;
   [[nodiscard]] Vec3d place(Feature feature, Vec3d local) const;
-  [[nodiscard]] double pace(Feature feature, Vec3d local) const;
+  [[nodiscard]] Pace pace(Feature feature, Vec3d local) const;
   [[nodiscard]] double distance_to_discontinuity(Vec3d local, double tolerance) const;
   [[nodiscard]] double still(Feature, Vec3d) const { return 0.0; }
 
@@ -69,7 +70,7 @@ class Ellipse {
   /// D and its derivative.
   [[nodiscard]] std::array<double, 2> slope(double x, double y, double cosine, double sine) const;
   /// From an angle down to where the distance is least about it.
-  void follow(double x, double y, double& cosine, double& sine) const;
+  void descend(double x, double y, double& cosine, double& sine) const;
 
   double a_, b_;
 };

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -39,6 +40,14 @@ struct Feature {
     return static_cast<std::uint64_t>(index) * 4 + static_cast<std::uint64_t>(kind);
   }
   friend bool operator==(const Feature& a, const Feature& b) { return a.code() == b.code(); }
+};
+
+/// How the nearest point of a feature runs as the place does that it is nearest to.
+struct Pace {
+  double speed = 1.0;  ///< at the most, per length of that place's path
+  /// How far that place is from where the point would be led round at once: of a curved rim, its
+  /// centre of curvature.
+  double pivot = std::numeric_limits<double>::infinity();
 };
 
 /// The edges between corners that are given in coordinates of the plane.

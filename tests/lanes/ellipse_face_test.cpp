@@ -99,11 +99,28 @@ TEST(LaneEllipseNearest, MovesAsFastAsItSays) {
     const double rounding = 1e-3 + 4e-6 * thin * thin;
     const double step = 1e-4 * std::fmin(ellipse.a(), ellipse.b());
     const Vec3d way = random.direction();
-    const Vec3d before = ellipse.place(feature, local - way * step);
-    const Vec3d after = ellipse.place(feature, local + way * step);
+    const auto place = [&](Vec3d x) { return ellipse.place(ellipse.follow(feature, x), x); };
+    const Vec3d before = place(local - way * step), after = place(local + way * step);
     const Vec3d exact = (after - before) * (0.5 / step);
     const Vec3d speed = first_of({found.speed_x(packed(way)), found.speed_y(packed(way)), R(0)});
     ASSERT_LT(length(speed - exact), rounding * (1.0 + length(exact))) << i;
+  }
+}
+
+TEST(LaneEllipseNearest, SwingsRoundWhereTheScalarEngineSaysSo) {
+  Random random(80);
+  for (int i = 0; i < scaled(5000); ++i) {
+    const Gate gate = random_gate(random);
+    const Ellipse ellipse = gate.exact();
+    const Vec3d local = random_place(random, gate);
+    const Found found = Found::on(gate, packed(local));
+    if (any(runs_round(found))) continue;
+    const double pivot = ellipse.pace(ellipse.nearest(local, 0.0), local).pivot;
+    const double expected = 1.0 / (pivot * pivot);
+    const double thin = std::fmax(ellipse.a(), ellipse.b()) / std::fmin(ellipse.a(), ellipse.b());
+    ASSERT_NEAR(first_of({found.swings(), R(0), R(0)}).x, expected,
+                (1e-3 + 4e-6 * thin * thin) * expected)
+        << i;
   }
 }
 
@@ -119,7 +136,8 @@ TEST(LaneEllipseNearest, MovesNoFasterThanItsBound) {
     const double h = std::fmin(ellipse.a(), ellipse.b()) * random.uniform(0.0, 0.5);
     const Vec3d end = local + random.direction() * h;
     if (any(has_other_nearest(gate, found, packed(end)))) continue;
-    const double moved = length(ellipse.place(feature, end) - ellipse.place(feature, local));
+    const double moved =
+        length(ellipse.place(ellipse.follow(feature, end), end) - ellipse.place(feature, local));
     ASSERT_LE(moved, first_of({found.fastest(R(h)), R(0), R(0)}).x * h * (1.0 + 1e-5) +
                          1e-6 * ellipse.size())
         << i;

@@ -158,6 +158,35 @@ INSTANTIATE_TEST_SUITE_P(Couplings, LanesOfFaces,
                                          std::pair("none", false), std::pair("portal-mass", false),
                                          std::pair("closest-point", false)));
 
+/// There the nearest point of the rim swings round, and what acts through it with that.
+TEST(Faces, PathsBehindTheMiddleOfACircleKeepTheTolerance) {
+  Random random(21);
+  std::vector<Photon> photons;
+  for (int i = 0; i < scaled(2000); ++i) {
+    const double aside = std::pow(10.0, random.uniform(-3, 0)), turn = random.uniform(0, 6.3);
+    const Vec3d way{std::cos(turn), std::sin(turn), random.uniform(-0.1, 0.1)};
+    const Vec3d middle{-std::sin(turn) * aside, std::cos(turn) * aside, random.uniform(-1.0, -0.2)};
+    photons.push_back(photon_at(middle - way * random.uniform(2, 6), way));
+  }
+  for (const char* coupling : {"closest-point", "graviton-map"}) {
+    const auto found_to = [&](double tolerance) {
+      return space_of(pair_with(ellipse_input(entrance, 1.2, 1.2), entrance, outlet), coupling,
+                      tolerance);
+    };
+    const PlannedSpace space = found_to(1e-4);
+    ASSERT_TRUE(space.lanes) << space.no_lanes_because;
+    const auto exact = by_the_scalar_engine(found_to(1e-8), photons);
+    std::vector<Arrival> lanes(photons.size());
+    advance(space, photons, lanes);
+    for (const auto& arrivals : {lanes, by_the_scalar_engine(space, photons)}) {
+      const Difference found = difference(arrivals, exact);
+      EXPECT_LE(found.unlike, photons.size() / 500);
+      EXPECT_LT(found.quantile(0.99), 1e-4) << coupling;
+      EXPECT_LT(found.apart.back(), 5e-4) << coupling;
+    }
+  }
+}
+
 TEST(Faces, LanesSayWhatTheyLeaveToTheScalarEngine) {
   const auto why = [](const FaceInput& face, const char* coupling) {
     const PlannedSpace space = space_of(pair_with(face, entrance, outlet), coupling);

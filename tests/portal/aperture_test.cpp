@@ -211,9 +211,9 @@ TYPED_TEST(EachAperture, PlaceOfAFeatureIsSmoothAndStillWhereItSaysSo) {
       x.z = random.uniform(-1, 1);
       const Feature feature = aperture.nearest(x, 1e-9);
       const Vec3d aside = random.direction(), here = aperture.place(feature, x);
-      const Vec3d before = aperture.place(feature, x - aside * h);
-      const Vec3d after = aperture.place(feature, x + aside * h);
-      const double pace = aperture.pace(feature, x);
+      const auto place = [&](Vec3d y) { return aperture.place(aperture.follow(feature, y), y); };
+      const Vec3d before = place(x - aside * h), after = place(x + aside * h);
+      const double pace = aperture.pace(feature, x).speed;
       // Where it is quick it bends, too.
       if (pace < 10.0) {
         ASSERT_LE(length(after - here), 1.1 * pace * h + 1e-12);
@@ -278,6 +278,22 @@ TEST(Ellipse, NearestPlaceOfTheRimIsStationaryAndNoOtherIsNearer) {
         ASSERT_GE(length(other), length(apart) - 1e-12);
       }
     }
+  }
+}
+
+TEST(Ellipse, NearestPlaceSwingsRoundAtTheCentreOfCurvature) {
+  Random random(9);
+  for (const double b : {1.2, 0.8, 0.05, 3.0}) {
+    const double a = 1.2, apart = a * a - b * b;
+    const Ellipse ellipse(a, b);
+    for (int i = 0; i < scaled(3000); ++i) {
+      const Vec3d x{random.uniform(-2, 2), random.uniform(-2, 2) * b, -1.0};
+      const Feature feature = ellipse.nearest(x, 0.0);
+      const Vec3d center{apart / a * std::pow(feature.cosine, 3),
+                         -apart / b * std::pow(feature.sine, 3), x.z};
+      ASSERT_NEAR(ellipse.pace(feature, x).pivot, length(x - center), 1e-6) << x.x << ' ' << x.y;
+    }
+    EXPECT_TRUE(std::isinf(ellipse.pace(ellipse.nearest({0, 0, 1}, 0.0), {0, 0, 1}).pivot));
   }
 }
 
