@@ -33,35 +33,25 @@ struct LaneOutlineRim {
     const LaneOutline& outline = *face.outline;
     const Vec3<R> b = spread<R>(way.image);
     Passage best{R(0), R(1), R(0), R(0), R(0), R(0), {R(0), R(0)}};
-    R least(never), second(never), feature(0);
+    LaneLeastWay<R> ways;
     for (int k = 0; k < outline.count; ++k) {
       const LaneEdge& edge = outline.edges[k];
       const LaneLine<R> along = LaneLine<R>::along(edge), out = LaneLine<R>::outside(edge);
       const BesideLine<R> ends{along.height(a), off(out.height(a), a), along.height(b),
                                off(out.height(b), b)};
       const RimWay<R> found = over_rim(ends, R(edge.length));
-      const Mask better = found.length < least;
       const Mask low = found.place <= R(0), high = found.place >= R(edge.length);
       const int next = k + 1 < outline.count ? k + 1 : 0;
       const R code = select(low, vertex(k), select(high, vertex(next), R(2 + k)));
-      // A vertex is met along two edges.
-      const R longer = select(better, least, found.length);
-      second = select(code == feature, second, min(second, longer));
-      least = select(better, found.length, least);
-      feature = select(better, code, feature);
+      const Mask better = ways.offer(code, found.length);
       best.along_x = select(better, R(edge.along_x), best.along_x);
       best.along_y = select(better, R(edge.along_y), best.along_y);
       best.out = select(better, R(edge.out), best.out);
       best.place = select(better, found.place + R(edge.begin), best.place);
       best.slides = select(better, select(low | high, R(0), R(1)), best.slides);
     }
-    const Vec3<R> to = b - a;
-    const Mask open = straight_through(face, a, b);
-    const R influence(way.influence), direct = dot(to, to),
-                                      length = select(open, sqrt(direct), least);
-    const Mask near = (open & (direct < influence * influence)) | ((!open) & (least < influence));
-    best.code = select(near, select(open, R(1), feature), R(0));
-    best.margin = {length - influence, second - least};
+    const auto on = [&](R x, R y) { return covers(outline, x, y); };
+    ways.conclude(way, b - a, straight_through(face, a, b, on), best);
     return best;
   }
 
@@ -119,14 +109,6 @@ struct LaneOutlineRim {
   /// The distance of a place from a line in the plane.
   [[nodiscard]] static R off(R aside, Vec3<R> place) {
     return sqrt(multiply_add(aside, aside, place.z * place.z));
-  }
-
-  /// Whether the segment from a to b crosses the face from front to back.
-  [[nodiscard]] static Mask straight_through(const LaneFace& face, Vec3<R> a, Vec3<R> b) {
-    const R above = max(a.z, R(0)), below = max(-b.z, R(0));
-    const R t = select(above > R(0), above / (above + below), R(0));
-    return (a.z >= R(-face.tolerance)) & (b.z <= R(face.tolerance)) &
-           covers(*face.outline, a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t);
   }
 };
 

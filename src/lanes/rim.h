@@ -58,6 +58,45 @@ struct LaneOpenSpan {
   }
 };
 
+/// The shortest of the ways over the edges of a rim.
+template <class R>
+struct LaneLeastWay {
+  using Mask = typename R::Mask;
+  R least = R(never), second = R(never);  ///< lengths; the second over another feature
+  R feature = R(0);
+
+  /// Takes one more; where it is the shortest so far.
+  /// @param code  of the feature: a vertex is met along two edges
+  Mask offer(R code, R length) {
+    const Mask better = length < least;
+    const R longer = select(better, least, length);
+    second = select(code == feature, second, min(second, longer));
+    least = select(better, length, least);
+    feature = select(better, code, feature);
+    return better;
+  }
+  /// Of the whole passage: straight where the face is `open` for that, else over the rim.
+  /// @param to  from the place to the image
+  template <class Passage>
+  void conclude(const LaneWay& way, Vec3<R> to, Mask open, Passage& passage) const {
+    const R influence(way.influence), direct = dot(to, to);
+    const Mask near = (open & (direct < influence * influence)) | ((!open) & (least < influence));
+    passage.code = select(near, select(open, R(1), feature), R(0));
+    passage.margin = {select(open, sqrt(direct), least) - influence, second - least};
+  }
+};
+
+/// Whether the segment from a to b crosses a face from front to back.
+/// @param covers  whether a point of the plane, x and y, lies on the face
+template <class R, class Covers>
+[[nodiscard]] typename R::Mask straight_through(const LaneFace& face, Vec3<R> a, Vec3<R> b,
+                                                const Covers& covers) {
+  const R above = max(a.z, R(0)), below = max(-b.z, R(0));
+  const R t = select(above > R(0), above / (above + below), R(0));
+  return (a.z >= R(-face.tolerance)) & (b.z <= R(face.tolerance)) &
+         covers(a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t);
+}
+
 /// Of a rectangle. Places are in the local coordinates of the face.
 template <class R>
 struct LaneRim {
@@ -83,7 +122,7 @@ struct LaneRim {
     const Vec3<R> b = spread<R>(way.image);
     // Over each edge in turn, below, right, above, left.
     Passage best{R(0), R(1), R(0), R(0), R(0), {R(0), R(0)}};
-    R least(never), second(never), feature(0);
+    LaneLeastWay<R> ways;
     for (int k = 0; k < 4; ++k) {
       const bool along_x = k % 2 == 0;
       const R half = along_x ? w : h;
@@ -92,28 +131,20 @@ struct LaneRim {
       const BesideLine<R> ends{(along_x ? a.x : a.y) + half, sqrt(aside * aside + a.z * a.z),
                                (along_x ? b.x : b.y) + half, R(way.off[k])};
       const RimWay<R> found = over_rim(ends, half * R(2));
-      const Mask better = found.length < least;
       const Mask low = found.place <= R(0), high = found.place >= half * R(2);
       // Vertices count from the lower left; the first of edge 0 is 0, its last is 1, and so on.
       const int first = k < 2 ? k : (k == 2 ? 3 : 0), last = k < 2 ? k + 1 : (k == 2 ? 2 : 3);
       const R code = select(low, R(6 + first), select(high, R(6 + last), R(2 + k)));
-      // A vertex is met along two edges.
-      const R longer = select(better, least, found.length);
-      second = select(code == feature, second, min(second, longer));
-      least = select(better, found.length, least);
-      feature = select(better, code, feature);
+      const Mask better = ways.offer(code, found.length);
       best.along_x = select(better, R(along_x ? 1 : 0), best.along_x);
       best.side = select(better, side, best.side);
       best.place = select(better, found.place - half, best.place);
       best.slides = select(better, select(low | high, R(0), R(1)), best.slides);
     }
-    const Vec3<R> to = b - a;
-    const Mask open = straight_through(face, a, b);
-    const R influence(way.influence), direct = dot(to, to),
-                                      length = select(open, sqrt(direct), least);
-    const Mask near = (open & (direct < influence * influence)) | ((!open) & (least < influence));
-    best.code = select(near, select(open, R(1), feature), R(0));
-    best.margin = {length - influence, second - least};
+    const auto covers = [&](R x, R y) {
+      return (abs(x) <= R(face.half_width)) & (abs(y) <= R(face.half_height));
+    };
+    ways.conclude(way, b - a, straight_through(face, a, b, covers), best);
     return best;
   }
 
@@ -155,16 +186,6 @@ struct LaneRim {
     held.off = sqrt(aside * aside + b.z * b.z);
     held.slides = passage.slides;
     held.place = passage.place;
-  }
-
- private:
-  /// Whether the segment from a to b crosses the face from front to back.
-  [[nodiscard]] static Mask straight_through(const LaneFace& face, Vec3<R> a, Vec3<R> b) {
-    const R above = max(a.z, R(0)), below = max(-b.z, R(0));
-    const R t = select(above > R(0), above / (above + below), R(0));
-    return (a.z >= R(-face.tolerance)) & (b.z <= R(face.tolerance)) &
-           (abs(a.x + (b.x - a.x) * t) <= R(face.half_width)) &
-           (abs(a.y + (b.y - a.y) * t) <= R(face.half_height));
   }
 };
 
