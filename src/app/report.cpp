@@ -77,9 +77,9 @@ std::string fates_text(const Tally& tally) {
 }
 
 std::string engine_text(const Metadata& header) {
-  const std::string leaves = entry(header, "engine_leaves");
+  const std::string looked_at = entry(header, "engine_in_double");
   return with_reason(header, "engine") +
-         (leaves.empty() ? "" : "; steps near " + leaves + " are left to the scalar engine");
+         (looked_at.empty() ? "" : "; paths near " + looked_at + " are looked along in double");
 }
 
 std::string photon_mode_text(const Metadata& header) { return with_reason(header, "photon_mode"); }
@@ -91,7 +91,7 @@ void add_manner(const Metadata& header, Json& json) {
   };
   json["engine"] = {{"name", text_or_null("engine")},
                     {"because", text_or_null("engine_because")},
-                    {"leaves_to_scalar", text_or_null("engine_leaves")}};
+                    {"in_double", text_or_null("engine_in_double")}};
   json["photon_mode"] = {{"name", text_or_null("photon_mode")},
                          {"because", text_or_null("photon_mode_because")}};
 }

@@ -8,9 +8,10 @@
 #include <utility>
 
 #include "lanes/limits.h"
-#include "lanes/log.h"
 #include "lanes/polish.h"
 #include "lanes/reached_portals.h"
+#include "lanes/recorder.h"
+#include "lanes/seen_path.h"
 #include "lanes/states.h"
 #include "photon/advance.h"
 #include "photon/radau.h"
@@ -37,10 +38,9 @@ class LaneDriver {
         has_flush_(space.surfaces.flush().any_shapes()),
         photons_(photons),
         arrivals_(arrivals),
-        records_(records),
-        log_(plan.center),
         states_(space, plan),
-        lanes_(states_.rows()) {}
+        lanes_(states_.rows()),
+        recorder_(space, plan, states_, photon_, records) {}
 
   void run() {
     for (int lane = 0; lane < lane_count; ++lane) refill(lane);
@@ -48,16 +48,22 @@ class LaneDriver {
       std::uint32_t events = step_(plan_.scene, lanes_);
       // Only where the step was not taken can a lane still be as it was put there.
       const std::uint32_t was_fresh = states_.take_fresh();
-      if (!records_.empty()) note_step(events);
+      recorder_.pass(events);
       for (; events != 0; events &= events - 1) {
         const int lane = std::countr_zero(events);
         const auto event = static_cast<LaneEvent>(static_cast<int>(lanes_.event[lane]));
+        const bool was_put = (was_fresh >> lane & 1) != 0;
+        if (plan_.scene.box_count > 0 && lanes_.seen.share[lane] > 0.0f) {
+          if (meets_seen(lane, event, was_put)) continue;
+          if (event == LaneEvent::none) recorder_.pass_lane(lane);
+        }
+        if (event == LaneEvent::none) continue;
         if (event == LaneEvent::cross) {
-          if (is_told(lane)) note_passage(lane);
+          recorder_.pass_isolated(lane);
           continue;
         }
         const bool stayed = event == LaneEvent::escape || event == LaneEvent::consult;
-        handle(lane, event, stayed && (was_fresh >> lane & 1) != 0);
+        handle(lane, event, stayed && was_put);
       }
     }
   }
@@ -115,6 +121,35 @@ class LaneDriver {
     end(lane, lanes_.askew[lane]);
   }
 
+  /// Whether a step's path meets something in a box before the step's end: looked at in double, and
+  /// seen to.
+  /// @param fresh  the lane was as it was put there before the step
+  [[gnu::noinline]] bool meets_seen(int lane, LaneEvent event, bool fresh) {
+    const Photon& photon = photons_[photon_[lane]];
+    Arrival before = states_.is_whole(lane) ? Arrival{} : arrivals_[photon_[lane]];
+    const double begun = before.length;
+    if (!fresh) {
+      before.length = lanes_.seen.length[lane];
+      before.turning = lanes_.seen.turning[lane];
+      before.steps = static_cast<std::uint32_t>(lanes_.steps[lane]);
+    }
+    const State from = fresh ? states_.put_state(lane, photon) : states_.seen_from(lane);
+    const PathStart start = states_.start_of(lane, photon).after(before.length - begun);
+    SeenPath path(lanes_.seen, lane, from);
+    const auto met = path.first(obstacles_, start, event == LaneEvent::escape,
+                                space_.physics.tolerance, before.length);
+    if (path.free() >= path.length())
+      lanes_.clear[lane] =
+          static_cast<float>(path.free() + lanes_.seen.length[lane]) - lanes_.length[lane];
+    if (!met || says_the_same(event, lanes_.object[lane], *met)) return false;
+    RayState way{from, start, before, {lanes_.astray[lane], lanes_.askew[lane]}};
+    if (!path.rough()) path.lead(way, met->distance);
+    arrivals_[photon_[lane]] = way.arrival;
+    hand_over(lane, way, !path.rough() && met->leads_on() ? met->object : no_object,
+              [&] { return path.rough() ? scalar_.one_step() : scalar_.encounter(*met); });
+    return true;
+  }
+
   /// Lets the scalar engine see to what lanes don't. Never inlined: it is seldom, and large.
   [[gnu::noinline]] void consult(int lane, LaneEvent event, std::uint32_t object,
                                  const State& state, double begun) {
@@ -123,13 +158,23 @@ class LaneDriver {
     const PathStart start = states_.start_of(lane, photons_[photon_[lane]]);
     const Drift<double> drift{lanes_.astray[lane], lanes_.askew[lane]};
     const RayState way{state, start.after(arrival.length - begun), arrival, drift};
-    if (is_told(lane) && event == LaneEvent::horizon && LanePlan::is_isolated(object))
-      note_passage(lane);
-    if (is_told(lane)) note_place(lane, state);
+    if (event == LaneEvent::horizon && LanePlan::is_isolated(object)) recorder_.pass_isolated(lane);
+    hand_over(lane, way, event == LaneEvent::portal ? object : no_object, [&] {
+      return event == LaneEvent::portal    ? meet_portal(way, object)
+             : event == LaneEvent::horizon ? scalar_.absorb(plan_.mass_of(object))
+                                           : scalar_.one_step();
+    });
+  }
+
+  /// Takes the path up in double, there, and puts it back where that leads.
+  /// @param portal  which it crosses, if that is known
+  /// @param act     of the scalar engine; whether the path has arrived
+  template <class Act>
+  void hand_over(int lane, const RayState& way, std::uint32_t portal, const Act& act) {
+    Arrival& arrival = arrivals_[photon_[lane]];
+    recorder_.pass_place(lane, way.state.position, arrival);
     scalar_.resume(way);
-    bool arrived = event == LaneEvent::portal    ? meet_portal(way, object)
-                   : event == LaneEvent::horizon ? scalar_.absorb(plan_.mass_of(object))
-                                                 : scalar_.one_step();
+    bool arrived = act();
     if (!arrived && scalar_.way().arrival.crossings != arrival.crossings)
       arrived = swallowed_at(scalar_.way().state.position);
     const std::uint32_t handed_over =
@@ -139,20 +184,18 @@ class LaneDriver {
       arrival.handed_over = handed_over;
       end(lane, scalar_.way().drift.direction);
     } else {
-      if (is_told(lane) && scalar_.way().arrival.crossings != arrival.crossings) {
-        PathRecord& told = records_[photon_[lane]];
-        event == LaneEvent::portal ? told.cross(object) : told.lose_track();
-      }
+      if (scalar_.way().arrival.crossings != arrival.crossings)
+        portal != no_object ? recorder_.cross(lane, portal) : recorder_.lose_track(lane);
       arrival = scalar_.way().arrival;
       arrival.handed_over = handed_over;
-      if (is_told(lane)) note_place(lane, scalar_.way().state);
+      recorder_.pass_place(lane, scalar_.way().state.position, arrival);
       states_.put_back(lane, scalar_.way(), scalar_.free_length());
     }
   }
 
   /// Leaves a photon to the scalar engine, from its start.
   [[gnu::noinline]] void resign(int lane) {
-    if (is_told(lane)) records_[photon_[lane]].lose_track();
+    recorder_.lose_track(lane);
     Arrival& arrival = arrivals_[photon_[lane]];
     arrival = scalar_.advance(photons_[photon_[lane]], nullptr);
     arrival.handed_over = arrival.steps;
@@ -185,7 +228,7 @@ class LaneDriver {
       coarser_[lane] = arrival;
       begin(lane, strictness + 1);
     } else {
-      if (is_told(lane)) records_[photon_[lane]].lose_track();
+      recorder_.lose_track(lane);
       arrival = scalar_.advance_finer(photons_[photon_[lane]], nullptr, arrival, 1e-2);
       arrival.handed_over = arrival.steps;
       finish(lane);
@@ -200,48 +243,8 @@ class LaneDriver {
     return mass && scalar_.absorb(*mass);
   }
 
-  /// Whether anybody asks for the path of its photon.
-  [[nodiscard]] bool is_told(int lane) const { return photon_[lane] < records_.size(); }
-
-  /// Its way through the influence of an isolated mass, which it has just left or ended in.
-  void note_passage(int lane) {
-    const auto object = static_cast<std::uint32_t>(lanes_.object[lane]);
-    const IsolatedMass& isolated = plan_.isolated.masses[object - first_isolated_object];
-    PathRecord& record = records_[photon_[lane]];
-    note_crossing(space_.masses[isolated.mass], plan_.isolated.tables[isolated.table],
-                  states_.state_of(lane), lanes_.length[lane], lanes_.turning[lane], record);
-  }
-
-  /// Where lane `lane` is, at the length that its arrival tells.
-  void note_place(int lane, const State& state) {
-    const Arrival& arrival = arrivals_[photon_[lane]];
-    records_[photon_[lane]].pass(state.position, arrival.length, arrival.turning);
-  }
-
-  /// Where the lanes are that a step has moved. How it was for those with an event, is told
-  /// elsewhere.
-  void note_step(std::uint32_t events) {
-    log_.note(lanes_);
-    for (; events != 0; events &= events - 1) {
-      const int lane = std::countr_zero(events);
-      if (is_told(lane)) log_.tell(lane, records_[photon_[lane]], 1);
-    }
-    if (!log_.full()) return;
-    for (int lane = 0; lane < lane_count; ++lane)
-      if (lanes_.live[lane] > 0.0f && is_told(lane)) log_.tell(lane, records_[photon_[lane]], 0);
-    log_.clear();
-  }
-
-  /// Notes where the path ends; one to the sky, as far as there is anything.
-  void note_end(const Arrival& arrival, PathRecord& way) const {
-    way.pass(arrival.position, arrival.length, arrival.turning);
-    if (arrival.fate != Fate::escaped) return;
-    const double rest = length(arrival.position - plan_.center) + plan_.scene.radius;
-    way.pass(arrival.position + arrival.direction * rest, arrival.length + rest, arrival.turning);
-  }
-
   void finish(int lane) {
-    if (is_told(lane)) note_end(arrivals_[photon_[lane]], records_[photon_[lane]]);
+    recorder_.end(lane, arrivals_[photon_[lane]]);
     --in_flight_;
     refill(lane);
   }
@@ -255,11 +258,7 @@ class LaneDriver {
   [[nodiscard]] bool meet_portal(const RayState& way, std::uint32_t index) {
     const Portal& portal = space_.portals.portals()[index];
     RayState there = way;
-    // Onto the plane, along the path.
-    const double slope = dot(way.state.direction, portal.frame.normal);
-    const double height = dot(way.state.position - portal.frame.origin, portal.frame.normal);
-    if (std::fabs(slope) > 1e-6)
-      there.state.position = way.state.position - way.state.direction * (height / slope);
+    there.state.position = onto_plane(portal, way.state);
     scalar_.resume(there);
     return scalar_.encounter(obstacles_.at_portal(index, side_met(portal, way.state), 0.0));
   }
@@ -275,10 +274,7 @@ class LaneDriver {
   void begin(int lane, int strictness) {
     const Photon& photon = photons_[photon_[lane]];
     states_.begin(lane, photon, strictness);
-    if (!is_told(lane)) return;
-    PathRecord& record = records_[photon_[lane]];
-    record.restart();
-    record.pass(photon.position, 0.0, 0.0);
+    recorder_.begin(lane, photon.position);
   }
 
   void refill(int lane) {
@@ -321,12 +317,11 @@ class LaneDriver {
   bool has_flush_;  ///< some surface lies in the plane of something else
   std::span<const Photon> photons_;
   std::span<Arrival> arrivals_;
-  std::span<PathRecord> records_;  ///< of the first photons
-  LaneLog log_;                    ///< of what is not in the path records yet
-  std::optional<Vec3d> begun_;     ///< the last place from which a photon could begin
+  std::optional<Vec3d> begun_;  ///< the last place from which a photon could begin
   LaneStates states_;
   Lanes& lanes_;
   std::array<std::size_t, lane_count> photon_{};
+  LaneRecorder recorder_;
   /// How those that are taken again ended before.
   std::array<Arrival, lane_count> coarser_{};
   std::size_t next_ = 0;

@@ -159,11 +159,12 @@ class LaneMeetings {
   }
 
   /// @param clear     nothing that boxes hold is met within that much path from the step's end
-  /// @param doubtful  gets the lanes that may meet something in a box
-  void find_boxes(const LanePath<R>& path, R clear, Mask& doubtful) const {
-    if (scene_.box_count == 0) return;
+  /// Where paths may meet something in a box.
+  [[nodiscard]] Mask find_boxes(const LanePath<R>& path, R clear) const {
+    Mask found = R(1) < R(0);
+    if (scene_.box_count == 0) return found;
     const Mask needed = clear < R(0);
-    if (!any(needed)) return;
+    if (!any(needed)) return found;
     // The share of the chord that lies between the planes of each pair; the curve strays from it.
     const V from = path.place.c0, chord = path.end.position - from;
     const R slack = path.stray;
@@ -174,8 +175,9 @@ class LaneMeetings {
       cut(R(box.low.x) - slack - from.x, R(box.high.x) + slack - from.x, inverse.x, low, high);
       cut(R(box.low.y) - slack - from.y, R(box.high.y) + slack - from.y, inverse.y, low, high);
       cut(R(box.low.z) - slack - from.z, R(box.high.z) + slack - from.z, inverse.z, low, high);
-      doubtful = doubtful | (needed & (low <= high));
+      found = found | (needed & (low <= high));
     }
+    return found;
   }
 
  private:

@@ -75,6 +75,29 @@ class LanePack {
     return bits(event > R(0));
   }
 
+  /// Shows the paths that may meet what boxes hold.
+  /// @param share  up to there, 0 where there is nothing to look at
+  /// @param rough  where within the step they are not as exact as at its end
+  [[nodiscard]] std::uint32_t show(const LanePath<R>& path, R share, Mask rough) const {
+    LaneSeen& seen = lanes_.seen;
+    share.store(seen.share + first_);
+    const auto shown = bits(share > R(0));
+    if (shown == 0) return 0;
+    const V* c[] = {&path.place.c0, &path.place.c1, &path.place.c2,
+                    &path.place.c3, &path.place.c4, &path.place.c5};
+    for (int k = 0; k < 6; ++k) {
+      c[k]->x.store(seen.cx[k] + first_);
+      c[k]->y.store(seen.cy[k] + first_);
+      c[k]->z.store(seen.cz[k] + first_);
+    }
+    path.h.store(seen.h + first_);
+    (path.turn / path.h).store(seen.bend + first_);
+    select(rough, R(1), R(0)).store(seen.rough + first_);
+    read(&Lanes::length).store(seen.length + first_);
+    read(&Lanes::turning).store(seen.turning + first_);
+    return shown;
+  }
+
   [[nodiscard]] static R code(LaneEvent event) { return R(static_cast<int>(event)); }
 
  private:

@@ -26,7 +26,7 @@ struct LanePlan {
   std::vector<std::uint32_t> stepped;
   MassGrid many;           ///< that `scene.many` looks into
   double max_drift = 0.0;  ///< of a path that is trusted, radians; by its `LaneStrictness` more
-  /// The shapes that `scene.boxes` hold: steps near those are left to the scalar engine.
+  /// The shapes that `scene.boxes` hold.
   std::vector<std::uint32_t> boxed;
 
   LanePlan() = default;

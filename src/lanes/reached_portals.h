@@ -4,6 +4,8 @@
 /// and never cross it.
 #pragma once
 
+#include <cmath>
+
 #include "lanes/scene.h"
 #include "photon/space.h"
 #include "photon/step.h"
@@ -30,6 +32,14 @@ namespace portalens {
 /// From which side light in that state meets a portal.
 [[nodiscard]] inline PortalSide side_met(const Portal& portal, const State& state) {
   return dot(state.direction, portal.frame.normal) < 0.0 ? PortalSide::front : PortalSide::back;
+}
+
+/// Where a path that has come to a portal's plane is on it: along the path.
+[[nodiscard]] inline Vec3d onto_plane(const Portal& portal, const State& state) {
+  const double slope = dot(state.direction, portal.frame.normal);
+  if (!(std::fabs(slope) > 1e-6)) return state.position;
+  const double height = dot(state.position - portal.frame.origin, portal.frame.normal);
+  return state.position - state.direction * (height / slope);
 }
 
 }  // namespace portalens

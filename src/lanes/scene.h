@@ -202,7 +202,7 @@ struct LaneSphere {
   int shape;
 };
 
-/// What is inside is left to the scalar engine.
+/// Whether a path meets what is inside is looked at in double.
 struct LaneBox {
   LaneVec low, high;
 };
@@ -260,6 +260,17 @@ enum class LaneEvent : std::int32_t {
   limit,    ///< too many steps, too long, turned too far, or no number any more
 };
 
+/// The path of the last step, where it may meet what boxes hold: a polynomial in the share of the
+/// step, x(u) = Σ c[k] uᵏ.
+struct alignas(64) LaneSeen {
+  float share[lane_count];  ///< up to that share; 0 where there is nothing to look at
+  float cx[6][lane_count], cy[6][lane_count], cz[6][lane_count];
+  float h[lane_count];      ///< its whole length,
+  float bend[lane_count];   ///< and how sharply it bends at the most, 1/length
+  float rough[lane_count];  ///< 1 where within the step it is not as exact as at its end
+  float length[lane_count], turning[lane_count];  ///< of the path before the step
+};
+
 /// The state of all lanes, array by array. A lane that is not `live` holds something harmless.
 struct alignas(64) Lanes {
   float x[lane_count], y[lane_count], z[lane_count];
@@ -276,11 +287,12 @@ struct alignas(64) Lanes {
   float clear[lane_count];          ///< nothing that boxes hold is met within that much path
   float event[lane_count];          ///< a LaneEvent
   float object[lane_count];
+  LaneSeen seen;
 };
 
 /// Takes one step of every live lane, or finds that it ends in an event. Where the event says that
 /// the step was not taken, the lane stays where it was. Returns bit i for lane i where there is
-/// one.
+/// one, or where its path is `seen`.
 using LaneStep = std::uint32_t (*)(const LaneScene& scene, Lanes& lanes);
 
 }  // namespace portalens

@@ -44,6 +44,13 @@ class LaneStates {
             t * (1.5 - 0.5 * dot(t, t))};
   }
 
+  /// Where the path begins that is seen.
+  [[nodiscard]] State seen_from(int lane) const {
+    const LaneSeen& seen = lanes_.seen;
+    const Vec3d t = Vec3d{seen.cx[1][lane], seen.cy[1][lane], seen.cz[1][lane]};
+    return {plan_.center + Vec3d{seen.cx[0][lane], seen.cy[0][lane], seen.cz[0][lane]},
+            normalize(t)};
+  }
   /// Where the lane's photon was put.
   /// @param photon  the lane's
   [[nodiscard]] State put_state(int lane, const Photon& photon) const {

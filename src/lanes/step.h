@@ -55,6 +55,12 @@ class LaneStepper {
       isolated.enters = live & isolated.enters & !(course.consults | course.resigns | course.ends);
       course.escapes = course.escapes & !isolated.enters;
     }
+    std::uint32_t seen = 0;
+    if (scene_.box_count > 0) {
+      course.sees = course.sees & live & !(course.consults | course.resigns | course.again);
+      const R share = select(course.sees, select(course.ends, found.share, R(1)), R(0));
+      seen = pack_.show(path, share, !(flies | judgement.smooth()));
+    }
     const Mask stays = course.stays() | !live;
     pack_.write(&Lanes::longest, select(live, course.next, R(never)));
 
@@ -74,7 +80,7 @@ class LaneStepper {
       const Mask counts = (event == R(0)) | (crossed == code(LaneEvent::horizon));
       event = select(isolated.enters & counts, crossed, event);
     }
-    return tell(event, found, course);
+    return tell(event, found, course) | seen;
   }
 
  private:
@@ -99,6 +105,7 @@ class LaneStepper {
     Mask ends;      ///< it ends within, in what was found
     Mask escapes;   ///< nothing is ahead
     Mask doubtful;  ///< lanes can't judge it
+    Mask sees;      ///< its path may meet what boxes hold
     R next;         ///< how long the next step may be
     R clear;        ///< nothing that boxes hold is met within that much path from its end
     [[nodiscard]] Mask stays() const { return consults | resigns | escapes | again; }
@@ -190,7 +197,7 @@ class LaneStepper {
     meetings.find_portals(path, found);
     meetings.find_polygons(path, found, doubtful);
     meetings.find_spheres(path, found);
-    meetings.find_boxes(path, course.clear, doubtful);
+    course.sees = meetings.find_boxes(path, course.clear);
     if (has_isolated())
       doubtful = doubtful | isolated.inside | (isolated.enters & may_end_within());
     if constexpr (F::may_lack_room) doubtful = doubtful | field.lacks_room;

@@ -36,6 +36,18 @@ class Curve {
     c5_ = d * 6.0 - e * 3.0 + f * 0.5;
   }
 
+  /// As Σ c[k] uᵏ, u being the share of its length.
+  /// @param bend  |dt/ds|, at the most
+  Curve(const Vec3d (&c)[6], double bend, double length)
+      : start_(c[0]),
+        c1_(c[1]),
+        c2_(c[2]),
+        c3_(c[3]),
+        c4_(c[4]),
+        c5_(c[5]),
+        length_(length),
+        bend_{bend, bend, bend} {}
+
   [[nodiscard]] double length() const { return length_; }
 
   [[nodiscard]] Vec3d position(double s) const {

@@ -19,6 +19,11 @@ struct Encounter {
   Kind kind = Kind::surface;
   std::uint32_t object = no_object;
   std::uint32_t face = 0;
+
+  /// Whether the path goes on through it.
+  [[nodiscard]] bool leads_on() const {
+    return kind == Kind::portal_front || kind == Kind::portal_through_back;
+  }
 };
 
 /// Where a path began, and what it may not meet at once.

@@ -46,7 +46,7 @@ Metadata manner_metadata(const Manner& manner) {
   };
   add("portalens:engine", manner.engine);
   add("portalens:engine_because", manner.why_scalar);
-  add("portalens:engine_leaves", manner.left_to_scalar);
+  add("portalens:engine_in_double", manner.in_double);
   add("portalens:photon_mode", manner.photons);
   add("portalens:photon_mode_because", manner.why_all);
   return metadata;

@@ -14,9 +14,9 @@ namespace portalens {
 struct Manner {
   std::string engine;      ///< "lanes" or "scalar"
   std::string why_scalar;  ///< what the scene has, and what lanes would take
-  /// Of lanes: near which objects each step is left to the scalar engine ("3 cube, 1 mesh"), or
+  /// Of lanes: near which objects paths are looked along in double ("3 cube, 1 mesh"), or
   /// empty.
-  std::string left_to_scalar;
+  std::string in_double;
   std::string photons;  ///< "fewer" or "all": `Photons`
   std::string why_all;
 };

@@ -33,7 +33,7 @@ TEST(Manner, OfASceneForLanesNamesThemAndWhatTheyLeave) {
   const Manner manner = manner_of(test::compiled(scene), {});
   EXPECT_EQ(manner.engine, "lanes");
   EXPECT_EQ(manner.why_scalar, "");
-  EXPECT_EQ(manner.left_to_scalar, "2 cube");
+  EXPECT_EQ(manner.in_double, "2 cube");
   EXPECT_EQ(manner.photons, "fewer");
   EXPECT_EQ(manner.why_all, "");
   EXPECT_EQ(entry(manner_metadata(manner), "engine"), "lanes");
@@ -46,7 +46,7 @@ TEST(Manner, OfASceneWithInfiniteInfluencesSaysSo) {
   EXPECT_EQ(entry(metadata, "engine"), "scalar");
   EXPECT_EQ(entry(metadata, "engine_because"),
             "an influence is infinite (physics.min_force = 0; lanes take any that is greater)");
-  EXPECT_EQ(entry(metadata, "engine_leaves"), "absent");
+  EXPECT_EQ(entry(metadata, "engine_in_double"), "absent");
   EXPECT_EQ(entry(metadata, "photon_mode"), "all");
   EXPECT_EQ(entry(metadata, "photon_mode_because"), "only lanes know how to send fewer");
 }
@@ -67,7 +67,7 @@ TEST(Manner, OfTooManyThingsToGuardBeamsAgainstIsAllPhotons) {
     many += "[[sphere]]\ncenter = [" + std::to_string(i) + ", 9, 0]\nradius = 0.1\n";
   const Manner manner = manner_of(test::compiled(many), {});
   EXPECT_EQ(manner.engine, "lanes");
-  EXPECT_EQ(manner.left_to_scalar, "2 cube, 69 sphere");
+  EXPECT_EQ(manner.in_double, "2 cube, 69 sphere");
   EXPECT_EQ(manner.photons, "all");
   EXPECT_EQ(manner.why_all,
             "more than 256 surfaces, portals and masses are there to hold beams against");
