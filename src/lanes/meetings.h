@@ -160,7 +160,8 @@ class LaneMeetings {
 
   /// @param clear     nothing that boxes hold is met within that much path from the step's end
   /// Where paths may meet something in a box.
-  [[nodiscard]] Mask find_boxes(const LanePath<R>& path, R clear) const {
+  /// @param doubtful  gets the lanes that may in a narrow one
+  [[nodiscard]] Mask find_boxes(const LanePath<R>& path, R clear, Mask& doubtful) const {
     Mask found = R(1) < R(0);
     if (scene_.box_count == 0) return found;
     const Mask needed = clear < R(0);
@@ -175,7 +176,8 @@ class LaneMeetings {
       cut(R(box.low.x) - slack - from.x, R(box.high.x) + slack - from.x, inverse.x, low, high);
       cut(R(box.low.y) - slack - from.y, R(box.high.y) + slack - from.y, inverse.y, low, high);
       cut(R(box.low.z) - slack - from.z, R(box.high.z) + slack - from.z, inverse.z, low, high);
-      found = found | (needed & (low <= high));
+      Mask& where = box.narrow ? doubtful : found;
+      where = where | (needed & (low <= high));
     }
     return found;
   }

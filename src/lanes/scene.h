@@ -205,6 +205,8 @@ struct LaneSphere {
 /// Whether a path meets what is inside is looked at in double.
 struct LaneBox {
   LaneVec low, high;
+  bool narrow;  ///< floats can't even tell on which side of what is inside they are: the scalar
+                ///< engine takes the steps in there
 };
 
 struct LaneScene {

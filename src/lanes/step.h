@@ -197,7 +197,7 @@ class LaneStepper {
     meetings.find_portals(path, found);
     meetings.find_polygons(path, found, doubtful);
     meetings.find_spheres(path, found);
-    course.sees = meetings.find_boxes(path, course.clear);
+    course.sees = meetings.find_boxes(path, course.clear, doubtful);
     if (has_isolated())
       doubtful = doubtful | isolated.inside | (isolated.enters & may_end_within());
     if constexpr (F::may_lack_room) doubtful = doubtful | field.lacks_room;

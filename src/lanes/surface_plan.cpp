@@ -44,7 +44,7 @@ class ShapeLayout {
       if constexpr (requires { known.lay_out(*this); })
         if (known.lay_out(*this)) return;
       plan_.boxed.push_back(index);
-      add_box(known.bounds());
+      add_box(known.bounds(), false);
     };
     std::visit(tell, shape);
   }
@@ -94,13 +94,13 @@ class ShapeLayout {
         if (!(a_is_smaller ? a.hugs(b, closest) : b.hugs(a, closest))) continue;
         const Vec3d low = highest(a.box.low, b.box.low), high = lowest(a.box.high, b.box.high);
         const Box shared = Box{low, high}.grown(closest);
-        if (shared.low == lowest(shared.low, shared.high)) add_box(shared);
+        if (shared.low == lowest(shared.low, shared.high)) add_box(shared, true);
       }
   }
 
  private:
-  /// The scalar engine looks in there.
-  void add_box(const Box& box) {
+  /// @param narrow_gap  as `narrow` of a `LaneBox`
+  void add_box(const Box& box, bool narrow_gap) {
     LaneScene& scene = plan_.scene;
     // Rounded outwards, and joined to the last where there is no room.
     const double slack = 1e-6 * (length(box.low - plan_.center) + length(box.high - plan_.center));
@@ -108,10 +108,11 @@ class ShapeLayout {
     const LaneVec low = narrow(box.low - plan_.center - more),
                   high = narrow(box.high - plan_.center + more);
     if (scene.box_count < max_lane_boxes) {
-      scene.boxes[scene.box_count++] = {low, high};
+      scene.boxes[scene.box_count++] = {low, high, narrow_gap};
       return;
     }
     LaneBox& last = scene.boxes[max_lane_boxes - 1];
+    last.narrow = last.narrow || narrow_gap;
     last.low = {std::min(last.low.x, low.x), std::min(last.low.y, low.y),
                 std::min(last.low.z, low.z)};
     last.high = {std::max(last.high.x, high.x), std::max(last.high.y, high.y),
