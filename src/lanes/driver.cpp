@@ -131,7 +131,6 @@ class LaneDriver {
     if (!fresh) {
       before.length = lanes_.seen.length[lane];
       before.turning = lanes_.seen.turning[lane];
-      before.steps = static_cast<std::uint32_t>(lanes_.steps[lane]);
     }
     const State from = fresh ? states_.put_state(lane, photon) : states_.seen_from(lane);
     const PathStart start = states_.start_of(lane, photon).after(before.length - begun);
@@ -143,6 +142,9 @@ class LaneDriver {
           static_cast<float>(path.free() + lanes_.seen.length[lane]) - lanes_.length[lane];
     if (!met || says_the_same(event, lanes_.object[lane], *met)) return false;
     RayState way{from, start, before, {lanes_.astray[lane], lanes_.askew[lane]}};
+    // The lane has counted the step if it has taken it; the scalar engine counts its own.
+    way.arrival.steps = static_cast<std::uint32_t>(lanes_.steps[lane]) +
+                        (event == LaneEvent::escape ? 1 : 0) - (path.rough() ? 1 : 0);
     if (!path.rough()) path.lead(way, met->distance);
     arrivals_[photon_[lane]] = way.arrival;
     hand_over(lane, way, !path.rough() && met->leads_on() ? met->object : no_object,

@@ -60,20 +60,41 @@ Vec3d random_place(Random& random, const Gate& gate) {
   return first_of(packed(place));
 }
 
+/// A place, and what of an ellipse is nearest to it, over lanes and exactly.
+struct Drawn {
+  Gate gate;
+  Ellipse ellipse;
+  Vec3d local;
+  Found found;
+  Feature feature;
+
+  explicit Drawn(Random& random)
+      : gate(random_gate(random)),
+        ellipse(gate.exact()),
+        local(random_place(random, gate)),
+        found(Found::on(gate, packed(local))),
+        feature(ellipse.nearest(local, 0.0)) {}
+
+  [[nodiscard]] Vec3d place(Vec3d x) const { return ellipse.place(ellipse.follow(feature, x), x); }
+  [[nodiscard]] double shorter() const { return std::fmin(ellipse.a(), ellipse.b()); }
+  /// At the tip of a thin one what a float's angle lacks counts for the square of that.
+  [[nodiscard]] double rounding() const {
+    const double thin = std::fmax(ellipse.a(), ellipse.b()) / shorter();
+    return 1e-3 + 4e-6 * thin * thin;
+  }
+};
+
 TEST(LaneEllipseNearest, IsWhereTheScalarEngineFindsIt) {
   Random random(77);
   int behind = 0, left_out = 0;
   const int count = scaled(20000);
   for (int i = 0; i < count; ++i) {
-    const Gate gate = random_gate(random);
-    const Ellipse ellipse = gate.exact();
-    const Vec3d local = random_place(random, gate);
-    const Found found = Found::on(gate, packed(local));
+    const Drawn drawn(random);
+    const auto& [gate, ellipse, local, found, feature] = drawn;
     if (any(runs_round(found))) {
       ++left_out;
       continue;
     }
-    const Feature feature = ellipse.nearest(local, 0.0);
     const Vec3d exact = ellipse.place(feature, local);
     behind += local.z < 0.0 && ellipse.covers(local.x, local.y);
     const double size = ellipse.size();
@@ -88,38 +109,27 @@ TEST(LaneEllipseNearest, IsWhereTheScalarEngineFindsIt) {
 TEST(LaneEllipseNearest, MovesAsFastAsItSays) {
   Random random(78);
   for (int i = 0; i < scaled(5000); ++i) {
-    const Gate gate = random_gate(random);
-    const Ellipse ellipse = gate.exact();
-    const Vec3d local = random_place(random, gate);
-    const Found found = Found::on(gate, packed(local));
+    const Drawn drawn(random);
+    const auto& [gate, ellipse, local, found, feature] = drawn;
     if (any(runs_round(found))) continue;
-    const Feature feature = ellipse.nearest(local, 0.0);
-    // At the tip of a thin one what a float's angle lacks counts for the square of that.
-    const double thin = std::fmax(ellipse.a(), ellipse.b()) / std::fmin(ellipse.a(), ellipse.b());
-    const double rounding = 1e-3 + 4e-6 * thin * thin;
-    const double step = 1e-4 * std::fmin(ellipse.a(), ellipse.b());
+    const double step = 1e-4 * drawn.shorter();
     const Vec3d way = random.direction();
-    const auto place = [&](Vec3d x) { return ellipse.place(ellipse.follow(feature, x), x); };
-    const Vec3d before = place(local - way * step), after = place(local + way * step);
+    const Vec3d before = drawn.place(local - way * step), after = drawn.place(local + way * step);
     const Vec3d exact = (after - before) * (0.5 / step);
     const Vec3d speed = first_of({found.speed_x(packed(way)), found.speed_y(packed(way)), R(0)});
-    ASSERT_LT(length(speed - exact), rounding * (1.0 + length(exact))) << i;
+    ASSERT_LT(length(speed - exact), drawn.rounding() * (1.0 + length(exact))) << i;
   }
 }
 
 TEST(LaneEllipseNearest, SwingsRoundWhereTheScalarEngineSaysSo) {
   Random random(80);
   for (int i = 0; i < scaled(5000); ++i) {
-    const Gate gate = random_gate(random);
-    const Ellipse ellipse = gate.exact();
-    const Vec3d local = random_place(random, gate);
-    const Found found = Found::on(gate, packed(local));
+    const Drawn drawn(random);
+    const auto& [gate, ellipse, local, found, feature] = drawn;
     if (any(runs_round(found))) continue;
-    const double pivot = ellipse.pace(ellipse.nearest(local, 0.0), local).pivot;
+    const double pivot = ellipse.pace(feature, local).pivot;
     const double expected = 1.0 / (pivot * pivot);
-    const double thin = std::fmax(ellipse.a(), ellipse.b()) / std::fmin(ellipse.a(), ellipse.b());
-    ASSERT_NEAR(first_of({found.swings(), R(0), R(0)}).x, expected,
-                (1e-3 + 4e-6 * thin * thin) * expected)
+    ASSERT_NEAR(first_of({found.swings(), R(0), R(0)}).x, expected, drawn.rounding() * expected)
         << i;
   }
 }
@@ -128,16 +138,12 @@ TEST(LaneEllipseNearest, SwingsRoundWhereTheScalarEngineSaysSo) {
 TEST(LaneEllipseNearest, MovesNoFasterThanItsBound) {
   Random random(79);
   for (int i = 0; i < scaled(5000); ++i) {
-    const Gate gate = random_gate(random);
-    const Ellipse ellipse = gate.exact();
-    const Vec3d local = random_place(random, gate);
-    const Found found = Found::on(gate, packed(local));
-    const Feature feature = ellipse.nearest(local, 0.0);
-    const double h = std::fmin(ellipse.a(), ellipse.b()) * random.uniform(0.0, 0.5);
+    const Drawn drawn(random);
+    const auto& [gate, ellipse, local, found, feature] = drawn;
+    const double h = drawn.shorter() * random.uniform(0.0, 0.5);
     const Vec3d end = local + random.direction() * h;
     if (any(has_other_nearest(gate, found, packed(end)))) continue;
-    const double moved =
-        length(ellipse.place(ellipse.follow(feature, end), end) - ellipse.place(feature, local));
+    const double moved = length(drawn.place(end) - ellipse.place(feature, local));
     ASSERT_LE(moved, first_of({found.fastest(R(h)), R(0), R(0)}).x * h * (1.0 + 1e-5) +
                          1e-6 * ellipse.size())
         << i;
