@@ -86,7 +86,7 @@ int measure(int triangles, const Request& request) {
   replace_file(request.folder / mesh, bumpy_sphere(triangles));
   const Subject straight = scene_with(0.0, mesh, request),
                 hole = scene_with(hole_mass, mesh, request),
-                light = scene_with(1e-12, mesh, request);
+                light = scene_with(1e-5, mesh, request);
 
   const double pixel = pixel_angle(hole.world);
   const auto photons = camera_photons(hole.world, 8);
