@@ -10,9 +10,8 @@ namespace portalens {
 namespace {
 
 /// How much of the tolerance the kinks of cells that are not sharp may take if none of them makes
-/// good for another. They do: with this, exit directions err by 0.7 of the tolerance at most, and
-/// by 0.01 of it in the median, with 4 to 64 nodes and tolerances from 1e-3 to 1e-7.
-constexpr double kink_share = 2.0;
+/// good for another. They mostly do; but what is left is magnified by whatever the path meets next.
+constexpr double kink_share = 1.0;
 
 }  // namespace
 
