@@ -150,7 +150,7 @@ void expect_as_scalar(const PlannedSpace& space, const std::vector<Photon>& phot
       apart.push_back(length(a.position - b.position) / (1.0 + b.length));
   }
   std::sort(apart.begin(), apart.end());
-  EXPECT_GT(crossed, photons.size() / 200);  // else it would be no test: a narrow one sees 1 %
+  EXPECT_GT(crossed, photons.size() / 100);
   EXPECT_LT(static_cast<double>(unlike), 0.003 * static_cast<double>(photons.size()) + 2);
   EXPECT_LT(apart[apart.size() / 2], deep ? 1e-4 : 3e-5);
   EXPECT_LT(apart[apart.size() * 98 / 100], deep ? 1e-3 : 4e-4);
@@ -159,7 +159,8 @@ void expect_as_scalar(const PlannedSpace& space, const std::vector<Photon>& phot
 class LanesThroughPolygons : public testing::TestWithParam<Case> {};
 
 TEST_P(LanesThroughPolygons, AgreeWithTheScalarEngineWithinFloatButForFewPhotons) {
-  expect_as_scalar(space_of(GetParam()), photons_from_all_sides(scaled(2500)),
+  // At any scale so many that enough of them cross a narrow portal, too.
+  expect_as_scalar(space_of(GetParam()), photons_from_all_sides(std::max(scaled(2500), 1000)),
                    GetParam().depth > 2 || GetParam().corners.empty());
 }
 
