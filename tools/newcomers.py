@@ -136,6 +136,7 @@ class NewcomerBsdf {
   }
   std::vector<const Texture*> textures() const { return {&color_}; }
   Rgb max_reflected() const { return brightest(color_); }
+  bool answers() const { return true; }
   bool sends() const { return false; }
   struct Here {
     Rgb color;

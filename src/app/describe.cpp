@@ -202,7 +202,10 @@ std::string light_text(const Appearance& look, const Light& light) {
   const auto index = static_cast<std::size_t>(&light - look.lights.data());
   const auto strength = [](const auto& one) {
     const std::string power = place(one.power());
-    return Distant<decltype(one)> ? "irradiance " + power + " W/m²" : "power " + power + " W";
+    if constexpr (Directed<decltype(one)>) return "irradiance " + power + " W/m²";
+    if constexpr (Distant<decltype(one)>)
+      return "irradiance, in the mean over all directions, " + power + " W/m²";
+    return "power " + power + " W";
   };
   return "  " + look.light_names[index] + ": " + std::visit(strength, light) + '\n';
 }

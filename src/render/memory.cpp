@@ -30,6 +30,13 @@ std::uint64_t bytes_of_textures(const Appearance& look) {
   return sum;
 }
 
+std::uint64_t bytes_of_sky_lights(const Appearance& look) {
+  std::uint64_t sum = 0;
+  for (const Light& light : look.lights)
+    if (const auto* sky = std::get_if<SkyLight>(&light)) sum += sky->table_bytes();
+  return sum;
+}
+
 std::uint64_t bytes_of_meshes(const Space& space) {
   std::uint64_t triangles = 0;
   for (const Shape& shape : space.surfaces.shapes())
@@ -43,7 +50,8 @@ MemoryEstimate estimated_memory(const World& world, const Window& window,
                                 std::size_t layer_channels, int threads, int tile_size) {
   MemoryEstimate estimate;
   estimate.program = bytes_of_program;
-  estimate.scene = bytes_of_textures(world.appearance) + bytes_of_meshes(world.space);
+  estimate.scene = bytes_of_textures(world.appearance) + bytes_of_sky_lights(world.appearance) +
+                   bytes_of_meshes(world.space);
   estimate.picture = window.pixels() * (3 + layer_channels) * bytes_a_value;
   const std::uint64_t side = static_cast<std::uint64_t>(tile_size);
   const std::uint64_t tile = std::min<std::uint64_t>(side * side, window.pixels());

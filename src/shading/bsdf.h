@@ -12,6 +12,7 @@
 ///   std::vector<const Texture*> textures() const;         all that `at` looks at
 ///   Rgb max_reflected() const;
 ///       what it gives back of light from all round, where it gives back most, or a little more
+///   bool answers() const;                                 whether `value` gives something
 ///   bool sends() const;                                   whether `sample` gives something
 ///   a type T::Here, and Here at(const SurfacePoint&) const;
 ///       the same BSDF at one place, its textures looked up

@@ -15,6 +15,7 @@ DiffuseMirror::DiffuseMirror(Texture diffuse, Texture reflective, double roughne
     : diffuse_(std::move(diffuse)),
       reflective_(std::move(reflective)),
       roughness_(roughness),
+      diffuses_(!is_black(brightest(diffuse_))),
       mirrors_(!is_black(brightest(reflective_))) {}
 
 }  // namespace portalens

@@ -24,6 +24,7 @@ class DiffuseMirror {
 
   [[nodiscard]] std::vector<const Texture*> textures() const { return {&diffuse_, &reflective_}; }
   [[nodiscard]] Rgb max_reflected() const { return brightest_sum(diffuse_, reflective_); }
+  [[nodiscard]] bool answers() const { return diffuses_; }
   [[nodiscard]] bool sends() const { return mirrors_; }
   [[nodiscard]] double roughness() const { return roughness_; }
 
@@ -34,6 +35,7 @@ class DiffuseMirror {
   Texture diffuse_;     ///< reflectance ρ of Lambert's law
   Texture reflective_;  ///< share of the mirrored radiance
   double roughness_;    ///< GGX with α = roughness²; 0: an exact mirror
+  bool diffuses_;       ///< somewhere
   bool mirrors_;        ///< somewhere
 };
 

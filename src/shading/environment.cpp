@@ -6,6 +6,13 @@
 #include <utility>
 
 namespace portalens {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+double turns(double degrees) { return std::remainder(degrees, 360.0) / 360.0; }
+
+}  // namespace
 
 Environment Environment::from(Parameters& parameters, const ImageLoader& load) {
   Environment environment;
@@ -15,6 +22,7 @@ Environment Environment::from(Parameters& parameters, const ImageLoader& load) {
         parameters.triple("color", non_negative, Triple{usual.x, usual.y, usual.z});
     return to_vec3(given) * intensity;
   };
+  environment.lights = parameters.boolean("lights", parameters.has("image"));
   if (parameters.has("image")) {
     environment.image = load(parameters.text("image"), parameters.where("image"));
     environment.rotation = parameters.number("rotation", any_number, 0.0);
@@ -28,20 +36,31 @@ Environment Environment::from(Parameters& parameters, const ImageLoader& load) {
 }
 
 Rgb Environment::radiance(Vec3d direction) const {
-  Rgb sum = sky(direction);
+  Rgb sum = color;
+  if (image) {
+    const double azimuth = std::atan2(direction.x, -direction.z);  // 0 at -z, pi/2 at +x
+    const double height = std::asin(std::clamp(direction.y, -1.0, 1.0)) / pi;
+    sum = radiance_at(0.5 + (azimuth / (2.0 * pi) + turns(rotation)), 0.5 - height);
+  }
   for (const SkyDisc& disc : discs)
     if (dot(direction, disc.towards) >= disc.cos_edge) sum += disc.radiance;
   return sum;
 }
 
-Rgb Environment::sky(Vec3d direction) const {
+bool is_black(const Environment& sky) {
+  if (!sky.image) return sky.color == Rgb{};
+  return sky.scale * brightest(Picture{sky.image}) == Rgb{};
+}
+
+Vec3d Environment::direction_of(double right, double down) const {
+  const double azimuth = 2.0 * pi * (right - 0.5 - turns(rotation));
+  const double sine = std::cos(pi * down), cosine = std::sin(pi * down);
+  return {cosine * std::sin(azimuth), sine, -cosine * std::cos(azimuth)};
+}
+
+Rgb Environment::radiance_at(double right, double down) const {
   if (!image) return color;
-  constexpr double pi = std::numbers::pi;
-  const double azimuth = std::atan2(direction.x, -direction.z);  // 0 at -z, pi/2 at +x
-  const double turned = azimuth / (2.0 * pi) + std::remainder(rotation, 360.0) / 360.0;
-  const double height = std::asin(std::clamp(direction.y, -1.0, 1.0)) / pi;
-  return scale * bilinear(*image, (0.5 + turned) * image->width, (0.5 - height) * image->height,
-                          Rows::clamp);
+  return scale * bilinear(*image, right * image->width, down * image->height, Rows::clamp);
 }
 
 }  // namespace portalens

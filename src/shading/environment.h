@@ -17,15 +17,21 @@ struct Environment {
   Rgb scale{1, 1, 1};                  ///< by which the image is multiplied
   double rotation = 0.0;               ///< degrees, right-handed about +y
   std::vector<SkyDisc> discs{};        ///< that shine beside either
+  bool lights = false;                 ///< surfaces, too
 
   /// Keys color, image and rotation, and intensity, by which either is multiplied; of an image the
-  /// colour scales the channels.
+  /// colour scales the channels. `lights`: true of an image, else false, if it is not given.
   static Environment from(Parameters& parameters, const ImageLoader& load);
   /// @param direction  unit vector towards the sky
   [[nodiscard]] Rgb radiance(Vec3d direction) const;
 
- private:
-  [[nodiscard]] Rgb sky(Vec3d direction) const;
+  /// The direction that is seen at a place of the image, from its top left: both 0 to 1 over it.
+  [[nodiscard]] Vec3d direction_of(double right, double down) const;
+  /// What is seen there, but for the discs.
+  [[nodiscard]] Rgb radiance_at(double right, double down) const;
 };
+
+/// Whether nothing is to be seen of it, but for the discs.
+[[nodiscard]] bool is_black(const Environment& sky);
 
 }  // namespace portalens

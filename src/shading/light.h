@@ -1,7 +1,7 @@
 /// \file
 /// The list of lights: what is asked for light from elsewhere. To add one: a header beside this
-/// one, and a word in `Light`. It has two kinds: those that [[light]] tables make, and those that
-/// are made from surfaces that emit (world/light_list.h).
+/// one, and a word in `Light`. It has three kinds: those that [[light]] tables make, those that are
+/// made from surfaces that emit, and the sky (world/light_list.h).
 ///
 /// Each type has
 ///   static constexpr bool is_delta;
@@ -14,8 +14,11 @@
 ///       may be left out of it.
 ///   Rgb power() const;
 ///       W, of all that leaves it, on each side that shines; a texture's by many points of it; of
-///       what is infinitely far W/m², of a surface that faces it
+///       what is infinitely far W/m²: of a surface that faces it, or, of what is all round, in the
+///       mean over all directions that a surface may face
 /// and is immutable. What is infinitely far has, too,
+///   static constexpr bool is_distant = true;
+/// and if it shines from about one direction
 ///   Vec3d towards() const;                               unit vector to its middle
 ///   std::optional<SkyDisc> disc() const;                 what is seen of it where light escapes
 /// and what a [[light]] table may be
@@ -23,22 +26,31 @@
 ///   static T from(Parameters&);                          faults are collected there
 #pragma once
 
+#include <type_traits>
 #include <variant>
 
 #include "shading/mesh_light.h"
 #include "shading/point_light.h"
 #include "shading/portal_back_light.h"
 #include "shading/shape_light.h"
+#include "shading/sky_light.h"
 #include "shading/spot_light.h"
 #include "shading/sun_light.h"
 
 namespace portalens {
 
-using Light = std::variant<PointLight, ShapeLight, MeshLight, PortalBackLight, SpotLight, SunLight>;
+using Light =
+    std::variant<PointLight, ShapeLight, MeshLight, PortalBackLight, SpotLight, SunLight, SkyLight>;
 
 /// Whether a light is infinitely far.
 template <class Any>
-concept Distant = requires(const Any& light) {
+concept Distant = requires {
+  std::remove_cvref_t<Any>::is_distant;
+};
+
+/// Whether it shines from about one direction, too.
+template <class Any>
+concept Directed = Distant<Any> && requires(const Any& light) {
   light.towards();
 };
 

@@ -27,6 +27,10 @@ Material::Material(Bsdf bsdf, Texture emitted)
   });
 }
 
+bool Material::answers_lamps() const {
+  return std::visit([](const auto& bsdf) { return bsdf.answers(); }, bsdf_);
+}
+
 std::vector<const Texture*> Material::textures() const {
   auto all = std::visit([](const auto& bsdf) { return bsdf.textures(); }, bsdf_);
   all.push_back(&emitted_);

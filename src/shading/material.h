@@ -25,6 +25,8 @@ class Material {
   [[nodiscard]] Rgb emitted_at(const SurfacePoint& point) const {
     return emits_ ? color_at(emitted_, point) : Rgb{};
   }
+  /// Whether lamps light it somewhere.
+  [[nodiscard]] bool answers_lamps() const;
   [[nodiscard]] std::vector<const Texture*> textures() const;
   /// Whether something of it depends on `u` and `v` on a flat face, too.
   [[nodiscard]] bool uses_coordinates() const { return uses_coordinates_; }

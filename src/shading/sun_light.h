@@ -15,6 +15,7 @@ class SunLight {
  public:
   static constexpr std::string_view name = "sun";
   static constexpr bool is_delta = false;
+  static constexpr bool is_distant = true;
 
   /// Keys direction, intensity, color or temperature; `angle`, across the disc as it is seen,
   /// degrees: of none it is a point; `visible`, where nothing else is seen in its direction.

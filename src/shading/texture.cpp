@@ -19,11 +19,6 @@ double wrapped(double x, double period) {
   return rest >= 0.0 && rest < period ? rest : 0.0;
 }
 
-Rgb pixel(const Image& image, int x, int y) {
-  const float* p = image.at(x, y);
-  return {p[0], p[1], p[2]};
-}
-
 Rgb highest(Rgb a, Rgb b) { return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}; }
 
 Rgb mixed_colors(Rgb a, Rgb b, double share) { return a * (1.0 - share) + b * share; }

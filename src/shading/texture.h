@@ -75,6 +75,12 @@ using Texture = std::variant<Constant, Checker, Picture>;
 [[nodiscard]] Texture texture_from(Parameters& parameters, std::string_view key,
                                    const Texture& fallback, const ImageLoader& load);
 
+/// The first three channels of one pixel.
+[[nodiscard]] inline Rgb pixel(const Image& image, int x, int y) {
+  const float* p = image.at(x, y);
+  return {p[0], p[1], p[2]};
+}
+
 /// The image at column `x` and row `y`, both continuous: pixel centres lie at halves. Columns
 /// repeat; rows repeat too, or stop at the edge.
 enum class Rows { repeat, clamp };

@@ -186,7 +186,7 @@ void take_lights(std::vector<NamedLight> lights, Appearance& look) {
   for (NamedLight& light : lights) {
     std::visit(
         [&](const auto& one) {
-          if constexpr (Distant<decltype(one)>)
+          if constexpr (Directed<decltype(one)>)
             if (const auto disc = one.disc()) look.environment.discs.push_back(*disc);
         },
         light.light);
@@ -232,6 +232,8 @@ World compile(const Scene& scene, const CompileOptions& options) {
 
   look.materials = std::move(materials).take();
   for (NamedLight& light : emitters(objects, look.materials)) lights.push_back(std::move(light));
+  if (auto sky = sky_light(look.environment, objects, look.materials))
+    lights.push_back(std::move(*sky));
   if (is_model_alone(scene))
     for (NamedLight& light : stage_lights(camera, objects)) lights.push_back(std::move(light));
   take_lights(std::move(lights), look);

@@ -1,5 +1,6 @@
 #include "world/light_list.h"
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <string_view>
@@ -72,6 +73,19 @@ std::vector<NamedLight> emitters(const Objects& objects, const std::vector<Mater
         {portal.name, PortalBackLight(portal, materials[*portal.back_material].emitted())});
   }
   return lights;
+}
+
+std::optional<NamedLight> sky_light(const Environment& sky, const Objects& objects,
+                                    const std::vector<Material>& materials) {
+  const auto shows = [&](const Body& body) { return materials[body.material].answers_lamps(); };
+  const auto shows_back = [&](const Portal& portal) {
+    return portal.back_material && materials[*portal.back_material].answers_lamps();
+  };
+  if (!sky.lights || is_black(sky) ||
+      !(std::any_of(objects.bodies.begin(), objects.bodies.end(), shows) ||
+        std::any_of(objects.portals.begin(), objects.portals.end(), shows_back)))
+    return std::nullopt;
+  return NamedLight{"environment", SkyLight(sky)};
 }
 
 }  // namespace portalens

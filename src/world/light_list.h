@@ -2,6 +2,7 @@
 /// Everything in a scene that gives light.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,5 +24,9 @@ struct NamedLight {
 /// A light for each body and each portal's back that emits, in their order.
 [[nodiscard]] std::vector<NamedLight> emitters(const Objects& objects,
                                                const std::vector<Material>& materials);
+
+/// The environment, if it shall light what is there, is not black, and something there answers.
+[[nodiscard]] std::optional<NamedLight> sky_light(const Environment& sky, const Objects& objects,
+                                                  const std::vector<Material>& materials);
 
 }  // namespace portalens

@@ -162,19 +162,9 @@ void about_hidden_bodies(const World& world, Warnings& warnings) {
   }
 }
 
-/// At some place of it: a texture may be black there.
-bool answers_lamps(const Material& material) {
-  return std::visit(
-      [](const auto& bsdf) {
-        constexpr Vec3d normal{0, 0, 1};
-        return bsdf.at(SurfacePoint{}).albedo(normal, normal) != Rgb{};
-      },
-      material.bsdf());
-}
-
 bool any_answers_lamps(const Appearance& look) {
   return std::any_of(look.bodies.begin(), look.bodies.end(), [&](const Body& body) {
-    return answers_lamps(look.materials[body.material]);
+    return look.materials[body.material].answers_lamps();
   });
 }
 
@@ -183,28 +173,26 @@ constexpr double meant_to_light = 0.3;
 
 void about_light(const World& world, Warnings& warnings) {
   const Appearance& look = world.appearance;
-  const Environment& sky = look.environment;
-  const bool dark_sky = (sky.image ? sky.scale : sky.color) == Rgb{};
-  if (look.lights.empty() && dark_sky && look.limits.ambient == Rgb{})
+  if (look.lights.empty() && is_black(look.environment) && look.limits.ambient == Rgb{})
     warnings.push_back("nothing gives light: the picture will be black");
   else if (look.lights.empty() && max_component(look.limits.ambient) < meant_to_light &&
            any_answers_lamps(look))
     warnings.push_back(fmt::format(
         "no lamp lights the scene: surfaces have only shading.ambient ({:.3g}, {:.3g}, {:.3g}), "
-        "and "
-        "the environment is seen, but lights nothing; {}",
+        "and the environment is seen, but lights nothing; {}",
         look.limits.ambient.x, look.limits.ambient.y, look.limits.ambient.z,
         world.file.extension() == ".obj"
             ? "the file is taken for a scene of the OBJ dialect: with a line 'o NAME' in it, it is "
               "a model, and lit"
-            : "add a [[light]], or a shape whose material has emitted"));
+            : "add a [[light]], a shape whose material has emitted, or lights = true in "
+              "[environment]"));
 }
 
 /// What is odd about a lamp; nothing if nothing is.
 template <class Any>
 std::string oddity_of(const Any& light, Vec3d up) {
   if (light.power() == Rgb{}) return "gives no light";
-  if constexpr (Distant<Any>)
+  if constexpr (Directed<Any>)
     if (dot(light.towards(), up) < -0.1)
       return "shines from below: 'direction' is the way that its light goes";
   return "";

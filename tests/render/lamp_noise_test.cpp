@@ -20,11 +20,13 @@ const std::string floor_and_camera =
     " { name = \"f\", diffuse = [0.5, 0.5, 0.5] }]\n"
     "[[quad]]\nvertices = [[-5, 0, 5], [5, 0, 5], [5, 0, -5], [-5, 0, -5]]\nmaterial = \"f\"\n";
 
+World world_of(const std::string& lamps, int samples, int seed = 0) {
+  return compiled("sampler = { samples = " + std::to_string(samples) +
+                  ", seed = " + std::to_string(seed) + " }\n" + floor_and_camera + lamps);
+}
+
 Image picture(const std::string& lamps, int samples, int seed = 0) {
-  return render(compiled("sampler = { samples = " + std::to_string(samples) +
-                         ", seed = " + std::to_string(seed) + " }\n" + floor_and_camera + lamps),
-                {})
-      .image;
+  return render(world_of(lamps, samples, seed), {}).image;
 }
 
 /// Root mean square of the difference over the mean.
@@ -78,6 +80,24 @@ TEST_F(LampNoise, OfAPenumbraFallsFasterThanOfIndependentSamples) {
       "[[quad]]\nvertices = [[1.5, 2, 3], [3, 2, 3], [3, 2, -3], [1.5, 2, -3]]\n"
       "material = \"f\"\n",
       1.0, 0.06, 0.42);
+}
+
+/// Even, but for a sun of half a degree, which gives next to nothing or twice the light of all the
+/// rest.
+TEST_F(LampNoise, OfASkyWithASmallSunIsThatOfALamp) {
+  for (const float sun : {400.0f, 4e4f}) {
+    auto image = std::make_shared<Image>(720, 360, 3);
+    for (float& value : image->pixels) value = 0.5f;
+    for (int c = 0; c < 3; ++c) image->at(400, 100)[c] = sun;
+    Environment sky;
+    sky.image = image;
+    const auto of_sky = [&](int samples, int seed = 0) {
+      World world = world_of("", samples, seed);
+      world.appearance.lights = {SkyLight(sky)};
+      return render(world, {}).image;
+    };
+    EXPECT_LT(noise(of_sky(64), of_sky(2048, 1)), 0.05) << sun;
+  }
 }
 
 }  // namespace

@@ -162,6 +162,9 @@ TYPED_TEST(EachBsdf, SaysWhatIsBlack) {
     if (is_black(here.albedo(normal, out))) {
       EXPECT_TRUE(is_black(here.value(normal, out, in)));
     }
+    if (!bsdf.answers()) {
+      EXPECT_TRUE(is_black(here.albedo(normal, out)));
+    }
     if (!bsdf.sends()) {
       EXPECT_FALSE(here.sample(normal, out, random.uniform(0, 1), random.uniform(0, 1)));
     }

@@ -19,15 +19,16 @@ TYPED_TEST_SUITE(EachLight, TypesOf<Light>::type);
 
 constexpr Vec3d middle{0, 3, 0};
 
-/// Of one that is infinitely far.
+/// Of one that is infinitely far: of a surface that faces it, or, if it is all round, any way.
 template <class Type>
-void expect_power_on_what_faces(const Type& light) {
-  const Vec3d towards = light.towards();
+void expect_irradiance(const Type& light) {
   Random random(1);
   const auto arrived = estimate(scaled(20000), [&](std::uint64_t) {
     const double u1 = random.uniform(0, 1), u2 = random.uniform(0, 1);
     const Vec3d x = random.point(10);
-    return irradiance(light.sample(x, u1, u2), x, towards).y;
+    Vec3d normal = random.direction();
+    if constexpr (Directed<Type>) normal = light.towards();
+    return irradiance(light.sample(x, u1, u2), x, normal).y;
   });
   EXPECT_NEAR(arrived.mean, light.power().y, 4 * arrived.error + 1e-9 * light.power().y);
 }
@@ -37,7 +38,7 @@ TYPED_TEST(EachLight, ItsPowerArrivesOnAnySphereAroundIt) {
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const TypeParam& light = lights[i];
     if constexpr (Distant<TypeParam>) {
-      expect_power_on_what_faces(light);
+      expect_irradiance(light);
       continue;
     }
     const Rgb power = light.power() * LightSamples<TypeParam>::share_outside(i);

@@ -2,10 +2,12 @@
 /// Lights to try things on.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "shading/light.h"
 #include "support/list_types.h"
+#include "support/random.h"
 #include "support/spaces.h"
 
 namespace portalens::test {
@@ -39,6 +41,29 @@ namespace portalens::test {
   for (int i = 0; i < 6; ++i)
     for (int c = 0; c < 3; ++c) image->at(i % 3, i / 3)[c] = static_cast<float>((i * i + c) % 7);
   return {image};
+}
+
+/// A sky of random pixels, some of them black and some a hundred times brighter than others.
+[[nodiscard]] inline Environment random_sky(int width, int height, std::uint64_t seed) {
+  Random random(seed);
+  auto image = std::make_shared<Image>(width, height, 3);
+  for (float& value : image->pixels) {
+    value = static_cast<float>(random.uniform(0, 1));
+    if (random.uniform(0, 1) < 0.2) value = 0.0f;
+    if (random.uniform(0, 1) < 0.1) value *= 100.0f;
+  }
+  Environment sky;
+  sky.image = std::move(image);
+  sky.scale = random.point(1) + Vec3d{1.5, 1.5, 1.5};
+  sky.rotation = random.uniform(-400, 400);
+  return sky;
+}
+
+/// One colour all round.
+[[nodiscard]] inline Environment even_sky(Rgb color) {
+  Environment sky;
+  sky.color = color;
+  return sky;
 }
 
 /// Some lights of each type, within 4 of (0, 3, 0), and of each the share of its power that samples
@@ -85,6 +110,15 @@ struct LightSamples<PortalBackLight> {
   static double share_outside(std::size_t /*which*/) { return 1.0; }
   static std::vector<PortalBackLight> all() {
     return {back(2, 1, 3, Constant{{1, 2, 3}}), back(2, 1, 3, gradient())};
+  }
+};
+template <>
+struct LightSamples<SkyLight> {
+  static double share_outside(std::size_t /*which*/) { return 1.0; }
+  static std::vector<SkyLight> all() {
+    return {SkyLight(random_sky(16, 8, 1)), SkyLight(random_sky(7, 5, 2)),
+            SkyLight(random_sky(1, 1, 3)), SkyLight(random_sky(2, 3, 4)),
+            SkyLight(even_sky({1, 2, 3}))};
   }
 };
 
