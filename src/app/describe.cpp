@@ -201,11 +201,11 @@ std::string portal_text(const World& world, const Portal& portal) {
 std::string light_text(const Appearance& look, const Light& light) {
   const auto index = static_cast<std::size_t>(&light - look.lights.data());
   const auto strength = [](const auto& one) {
-    const std::string power = place(one.power());
-    if constexpr (Directed<decltype(one)>) return "irradiance " + power + " W/m²";
-    if constexpr (Distant<decltype(one)>)
-      return "irradiance, in the mean over all directions, " + power + " W/m²";
-    return "power " + power + " W";
+    using Any = decltype(one);
+    const char* const what = Directed<Any>  ? "irradiance"
+                             : Distant<Any> ? "irradiance, in the mean over all directions,"
+                                            : "power";
+    return fmt::format("{} {} {}", what, place(one.power()), Distant<Any> ? "W/m²" : "W");
   };
   return "  " + look.light_names[index] + ": " + std::visit(strength, light) + '\n';
 }
@@ -242,11 +242,10 @@ std::string development_text(const Development& development) {
 
 std::string physics_text(const Space& space) {
   const Physics& p = space.physics;
-  std::string text =
-      fmt::format("{}, G = {:g}, c = {:g}, min_force = {:g}; {} ({} {:g})", p.law, p.G, p.c,
-                  p.min_force, p.integrator, p.integrator == "adaptive" ? "tolerance" : "step",
-                  p.integrator == "adaptive" ? p.tolerance : p.step);
-  return text;
+  const bool adaptive = p.integrator == "adaptive";
+  return fmt::format("{}, G = {:g}, c = {:g}, min_force = {:g}; {} ({} {:g})", p.law, p.G, p.c,
+                     p.min_force, p.integrator, adaptive ? "tolerance" : "step",
+                     adaptive ? p.tolerance : p.step);
 }
 
 /// The coupling, what it costs, and how exact it is if that is known.

@@ -4,6 +4,7 @@
 /// Each type has
 ///   static constexpr std::string_view name;            its table's kind in a scene file
 ///   static T from(Parameters&);                        faults are collected there
+///       neither, if no table makes it
 ///   Box bounds() const;
 ///   std::optional<Contact> intersect(const Ray&, double low, double high) const;
 ///       the nearest contact at low <= distance <= high; both sides of a surface count
@@ -32,6 +33,7 @@
 #include "geometry/cone.h"
 #include "geometry/cube.h"
 #include "geometry/cylinder.h"
+#include "geometry/disk.h"
 #include "geometry/mesh.h"
 #include "geometry/quad.h"
 #include "geometry/ring.h"
@@ -39,6 +41,6 @@
 
 namespace portalens {
 
-using Shape = std::variant<Sphere, Quad, Cube, Cone, Cylinder, Ring, Mesh>;
+using Shape = std::variant<Sphere, Quad, Cube, Cone, Cylinder, Ring, Disk, Mesh>;
 
 }  // namespace portalens

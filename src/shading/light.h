@@ -16,7 +16,10 @@
 ///       W, of all that leaves it, on each side that shines; a texture's by many points of it; of
 ///       what is infinitely far W/m²: of a surface that faces it, or, of what is all round, in the
 ///       mean over all directions that a surface may face
-/// and is immutable. What is infinitely far has, too,
+/// and is immutable. What may be a thing that photons meet has, too,
+///   std::optional<Shape> body() const;                   nothing if it shall not be met
+///   Rgb radiance() const;                                of its front; behind it is black
+/// what is infinitely far
 ///   static constexpr bool is_distant = true;
 /// and if it shines from about one direction
 ///   Vec3d towards() const;                               unit vector to its middle
@@ -29,6 +32,7 @@
 #include <type_traits>
 #include <variant>
 
+#include "shading/area_light.h"
 #include "shading/mesh_light.h"
 #include "shading/point_light.h"
 #include "shading/portal_back_light.h"
@@ -39,8 +43,8 @@
 
 namespace portalens {
 
-using Light =
-    std::variant<PointLight, ShapeLight, MeshLight, PortalBackLight, SpotLight, SunLight, SkyLight>;
+using Light = std::variant<PointLight, ShapeLight, MeshLight, PortalBackLight, SpotLight, SunLight,
+                           SkyLight, RectangleLight, DiscLight, SphereLight>;
 
 /// Whether a light is infinitely far.
 template <class Any>

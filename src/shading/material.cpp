@@ -17,9 +17,10 @@ Material Material::from(Parameters& parameters, const ImageLoader& load) {
                   texture_from(parameters, "emitted", Constant{{}}, load));
 }
 
-Material::Material(Bsdf bsdf, Texture emitted)
+Material::Material(Bsdf bsdf, Texture emitted, Shines shines)
     : bsdf_(std::move(bsdf)),
       emitted_(std::move(emitted)),
+      shines_(shines),
       emits_(max_component(brightest(emitted_)) > 0.0) {
   const auto all = textures();
   uses_coordinates_ = std::any_of(all.begin(), all.end(), [](const Texture* texture) {

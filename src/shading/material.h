@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "shading/bsdf.h"
+#include "shading/shines.h"
 #include "shading/texture.h"
 
 namespace portalens {
@@ -16,14 +17,19 @@ class Material {
 
   /// A `[[material]]` table, but for its name.
   static Material from(Parameters& parameters, const ImageLoader& load);
-  explicit Material(Bsdf bsdf = {}, Texture emitted = Constant{{}});
+  explicit Material(Bsdf bsdf = {}, Texture emitted = Constant{{}},
+                    Shines shines = Shines::on_both_sides);
 
   [[nodiscard]] const Bsdf& bsdf() const { return bsdf_; }
-  /// Radiance, on both sides.
+  /// Radiance, on the sides that shine.
   [[nodiscard]] const Texture& emitted() const { return emitted_; }
   [[nodiscard]] bool emits() const { return emits_; }
-  [[nodiscard]] Rgb emitted_at(const SurfacePoint& point) const {
-    return emits_ ? color_at(emitted_, point) : Rgb{};
+  [[nodiscard]] Shines shines() const { return shines_; }
+  /// @param direction  of the photon that has met it there
+  [[nodiscard]] Rgb emitted_at(const SurfacePoint& point, Vec3d direction) const {
+    if (!emits_ || (shines_ == Shines::in_front && !(dot(direction, point.geometric_normal) < 0.0)))
+      return {};
+    return color_at(emitted_, point);
   }
   /// Whether lamps light it somewhere.
   [[nodiscard]] bool answers_lamps() const;
@@ -34,6 +40,7 @@ class Material {
  private:
   Bsdf bsdf_;
   Texture emitted_;
+  Shines shines_;
   bool emits_;  ///< somewhere
   bool uses_coordinates_;
 };

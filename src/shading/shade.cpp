@@ -82,7 +82,7 @@ class Shader {
 
   [[gnu::always_inline]] void shade_place(const ShadedSurface& place) {
     const Material& material = appearance_.materials[place.point.material];
-    const Rgb emitted = material.emitted_at(place.surface);
+    const Rgb emitted = material.emitted_at(place.surface, arrival_->direction);
     std::visit(
         [&](const auto& bsdf) __attribute__((always_inline)) {
           shade_point(place.point, bsdf.at(place.surface), emitted, bsdf.sends());

@@ -8,9 +8,10 @@
 
 namespace portalens {
 
-ShapeLight::ShapeLight(Shape shape, Texture emitted)
+ShapeLight::ShapeLight(Shape shape, Texture emitted, Shines shines)
     : shape_(std::move(shape)),
       emitted_(std::move(emitted)),
+      shines_(shines),
       area_(std::visit([](const auto& s) { return s.area(); }, shape_)) {}
 
 LightSample ShapeLight::sample(Vec3d x, double u1, double u2) const {
@@ -25,6 +26,9 @@ LightSample ShapeLight::sample(Vec3d x, double u1, double u2) const {
         }
       },
       shape_);
+  if (shines_ == Shines::in_front &&
+      !(dot(x - seen.point.position, seen.point.geometric_normal) > 0.0))
+    return {seen.point.position};
   return {seen.point.position, color_at(emitted_, seen.point) * seen.solid_angle};
 }
 
@@ -38,7 +42,8 @@ Rgb ShapeLight::power() const {
       sum +=
           color_at(emitted_, std::visit([&](const auto& s) { return s.sample(u1, u2); }, shape_));
     }
-  return sum * (2.0 * std::numbers::pi * area_ / (double{1} * parts * parts));
+  const double sides = shines_ == Shines::in_front ? 1.0 : 2.0;
+  return sum * (sides * std::numbers::pi * area_ / (double{1} * parts * parts));
 }
 
 }  // namespace portalens

@@ -5,6 +5,7 @@
 
 #include "geometry/shape.h"
 #include "shading/light_sample.h"
+#include "shading/shines.h"
 #include "shading/texture.h"
 
 namespace portalens {
@@ -12,9 +13,10 @@ namespace portalens {
 class ShapeLight {
  public:
   static constexpr bool is_delta = false;
-  /// @param emitted  radiance, on both sides
-  ShapeLight(Shape shape, Texture emitted);
+  /// @param emitted  radiance
+  ShapeLight(Shape shape, Texture emitted, Shines shines = Shines::on_both_sides);
 
+  [[nodiscard]] const Shape& shape() const { return shape_; }
   [[nodiscard]] const Texture& emitted() const { return emitted_; }
   [[nodiscard]] LightSample sample(Vec3d x, double u1, double u2) const;
   [[nodiscard]] double area() const { return area_; }
@@ -23,6 +25,7 @@ class ShapeLight {
  private:
   Shape shape_;
   Texture emitted_;
+  Shines shines_;
   double area_;
 };
 

@@ -232,6 +232,7 @@ World compile(const Scene& scene, const CompileOptions& options) {
 
   look.materials = std::move(materials).take();
   for (NamedLight& light : emitters(objects, look.materials)) lights.push_back(std::move(light));
+  add_lamp_bodies(lights, objects, look.materials);
   if (auto sky = sky_light(look.environment, objects, look.materials))
     lights.push_back(std::move(*sky));
   if (is_model_alone(scene))

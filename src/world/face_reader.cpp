@@ -9,6 +9,7 @@
 
 #include "core/words.h"
 #include "geometry/extent.h"
+#include "geometry/two_lengths.h"
 #include "portal/portal.h"
 #include "world/polygon_check.h"
 
@@ -18,37 +19,6 @@ namespace {
 constexpr std::size_t max_vertices = 64;
 /// A flatter ellipse is a line for all that numbers tell.
 constexpr double flattest = 1e-6;
-
-std::optional<double> length_in(const Value& value) {
-  double found = 0.0;
-  if (const auto* integer = std::get_if<std::int64_t>(&value.data))
-    found = static_cast<double>(*integer);
-  else if (const auto* number = std::get_if<double>(&value.data))
-    found = *number;
-  if (!(found > 0.0 && found <= largest_coordinate)) return std::nullopt;
-  return found;
-}
-
-/// Two lengths above 0: of one number, twice that where `alone` says so.
-enum class OneNumber { stands_for_both, is_not_enough };
-std::optional<std::array<double, 2>> two_lengths(Parameters& parameters, std::string_view key,
-                                                 OneNumber alone, const char* remedy) {
-  const Value* value = parameters.raw(key);
-  if (const auto* list = std::get_if<Value::List>(&value->data)) {
-    if (list->size() == 2) {
-      const auto first = length_in((*list)[0]), second = length_in((*list)[1]);
-      if (first && second) return std::array<double, 2>{*first, *second};
-    }
-  } else if (const auto both = length_in(*value); both && alone == OneNumber::stands_for_both) {
-    return std::array<double, 2>{*both, *both};
-  }
-  parameters.fault(key,
-                   in_quotes(key) + " is " + describe(*value) +
-                       " that gives no two lengths from 0 "
-                       "to 1e12",
-                   remedy);
-  return std::nullopt;
-}
 
 /// Where a face is that is not told by its vertices.
 std::optional<Frame> read_frame(Parameters& parameters) {

@@ -20,7 +20,7 @@ struct EmitterOf {
   std::optional<Light> operator()(const Any& shape) const {
     const Material& material = materials[body.material];
     if (!material.emits()) return std::nullopt;
-    return ShapeLight(shape, material.emitted());
+    return ShapeLight(shape, material.emitted(), material.shines());
   }
 
   /// Only a mesh has more than one material.
@@ -51,7 +51,8 @@ std::vector<NamedLight> read_lights(const std::vector<Table>& tables, Names& nam
   for (const Table& table : tables) {
     Parameters parameters(table, faults);
     const std::string name = names.claim(parameters);
-    const std::string type = parameters.choice("type", types, std::string(PointLight::name));
+    std::string type = parameters.choice("type", types, std::string(PointLight::name));
+    if (type == PointLight::name && parameters.has("radius")) type = SphereLight::name;
     auto light = Choice<Light>::make(type, parameters);
     if (!light) continue;
     parameters.finish();
@@ -86,6 +87,26 @@ std::optional<NamedLight> sky_light(const Environment& sky, const Objects& objec
         std::any_of(objects.portals.begin(), objects.portals.end(), shows_back)))
     return std::nullopt;
   return NamedLight{"environment", SkyLight(sky)};
+}
+
+void add_lamp_bodies(const std::vector<NamedLight>& lights, Objects& objects,
+                     std::vector<Material>& materials) {
+  for (const NamedLight& lamp : lights)
+    std::visit(
+        [&](const auto& light) {
+          if constexpr (requires { light.body(); })
+            if (auto shape = light.body()) {
+              Body body;
+              body.name = lamp.name;
+              body.kind = "lamp";
+              body.material = static_cast<std::uint32_t>(materials.size());
+              objects.shapes.push_back(std::move(*shape));
+              objects.bodies.push_back(std::move(body));
+              materials.emplace_back(DiffuseMirror(Constant{{}}), Constant{light.radiance()},
+                                     Shines::in_front);
+            }
+        },
+        lamp.light);
 }
 
 }  // namespace portalens

@@ -29,4 +29,8 @@ struct NamedLight {
 [[nodiscard]] std::optional<NamedLight> sky_light(const Environment& sky, const Objects& objects,
                                                   const std::vector<Material>& materials);
 
+/// Adds what is seen of lamps, each with a material of its own.
+void add_lamp_bodies(const std::vector<NamedLight>& lights, Objects& objects,
+                     std::vector<Material>& materials);
+
 }  // namespace portalens

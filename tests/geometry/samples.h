@@ -120,6 +120,12 @@ struct Samples<Ring> {
   }
 };
 template <>
+struct Samples<Disk> {
+  static std::vector<Disk> about(Vec3d at) {
+    return {Disk(at, {0, 1, 0}, 1.5), Disk(at, normalize(Vec3d{1, -2, 0.5}), 0.7)};
+  }
+};
+template <>
 struct Samples<Mesh> {
   static std::vector<Mesh> about(Vec3d at) {
     return {Mesh(crate(at - Vec3d{1, 0.5, 1}, at + Vec3d{1, 1, 0.7})),

@@ -79,6 +79,7 @@ struct LightSamples {
     for (const char* key : {"intensity", "color"}) table.set(key, value_of({2, 3, 4}));
     for (const char* key : {"radius", "blend"}) table.set(key, value_of(0.5));
     table.set("angle", value_of(40));
+    table.set("size", value_of(1.5));
     return from_common_keys<Type>(table);
   }
 };
