@@ -202,10 +202,9 @@ std::string light_text(const Appearance& look, const Light& light) {
   const auto index = static_cast<std::size_t>(&light - look.lights.data());
   const auto strength = [](const auto& one) {
     using Any = decltype(one);
-    const char* const what = Directed<Any>  ? "irradiance"
-                             : Distant<Any> ? "irradiance, in the mean over all directions,"
-                                            : "power";
-    return fmt::format("{} {} {}", what, place(one.power()), Distant<Any> ? "W/m²" : "W");
+    return fmt::format("{}{} {}{}", Distant<Any> && !Directed<Any> ? "mean " : "",
+                       Distant<Any> ? "irradiance" : "power", place(one.power()),
+                       Distant<Any> ? " W/m²" : " W");
   };
   return "  " + look.light_names[index] + ": " + std::visit(strength, light) + '\n';
 }
@@ -252,8 +251,8 @@ std::string physics_text(const Space& space) {
 std::string gravity_text(const Space& space) {
   const CouplingCost cost = coupling_cost(space);
   std::string text =
-      fmt::format("{}, depth {}", space.physics.portal_gravity, space.physics.portal_gravity_depth);
-  text += fmt::format("; costs at most {:.3g} pulls of a mass at each place", cost.each_call);
+      fmt::format("{}, depth {}; costs at most {:.3g} pulls of a mass at each place",
+                  space.physics.portal_gravity, space.physics.portal_gravity_depth, cost.each_call);
   if (cost.preparation > 0.0) text += fmt::format(", and {:.3g} once", cost.preparation);
   const std::vector<GravitonMapError> errors = map_errors(space);
   for (std::size_t i = 0; i < errors.size(); ++i)
