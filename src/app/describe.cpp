@@ -201,10 +201,9 @@ std::string portal_text(const World& world, const Portal& portal) {
 std::string light_text(const Appearance& look, const Light& light) {
   const auto index = static_cast<std::size_t>(&light - look.lights.data());
   const auto strength = [](const auto& one) {
-    using Any = decltype(one);
-    return fmt::format("{}{} {}{}", Distant<Any> && !Directed<Any> ? "mean " : "",
-                       Distant<Any> ? "irradiance" : "power", place(one.power()),
-                       Distant<Any> ? " W/m²" : " W");
+    constexpr bool far = Distant<decltype(one)>, all_round = far && !Directed<decltype(one)>;
+    return fmt::format("{}{} {}{}", all_round ? "mean " : "", far ? "irradiance" : "power",
+                       place(one.power()), far ? " W/m²" : " W");
   };
   return "  " + look.light_names[index] + ": " + std::visit(strength, light) + '\n';
 }
