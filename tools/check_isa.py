@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Holds the engine of each instruction set to itself.
 
-    tools/check_isa.py OBJECT...      object files of src/lanes/engine_{sse4,avx2,avx512}.cpp
+    tools/check_isa.py OBJECT...      object files of src/lanes/engine_{sse4,sse4_plain,avx2,avx512}.cpp
 
 An inline function that is emitted in the object of a wide instruction set under a name that other
 objects share may be the one the linker keeps, and then crashes processors without that set. So
@@ -15,6 +15,7 @@ import sys
 
 TAGS = {
     "engine_sse4": "xsimd::sse4_2",
+    "engine_sse4_plain": "xsimd::sse4_2",
     "engine_avx2": "xsimd::fma3<xsimd::avx2>",
     "engine_avx512": "xsimd::avx512bw",
 }

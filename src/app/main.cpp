@@ -5,6 +5,7 @@
 #include <iostream>
 #include <new>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "app/command.h"
@@ -36,6 +37,13 @@ int main(int argc, char** argv) {
                   exit_work_failed);
   } catch (const WorkError& error) {
     return report("", error.what(), exit_work_failed);
+  } catch (const std::system_error& error) {
+    if (error.code() != std::errc::resource_unavailable_try_again)
+      return report("unexpected failure: ", error.what(), exit_work_failed);
+    return report("",
+                  "no thread can be started: too little memory, or too many threads run already; "
+                  "--threads 1 needs fewer",
+                  exit_work_failed);
   } catch (const std::exception& error) {
     return report("unexpected failure: ", error.what(), exit_work_failed);
   }

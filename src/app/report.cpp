@@ -78,7 +78,8 @@ std::string fates_text(const Tally& tally) {
 
 std::string engine_text(const Metadata& header) {
   const std::string looked_at = entry(header, "engine_in_double");
-  return with_reason(header, "engine") +
+  const std::string rounding = entry(header, "engine_rounding");
+  return with_reason(header, "engine") + (rounding.empty() ? "" : "; " + rounding) +
          (looked_at.empty() ? "" : "; paths near " + looked_at + " are looked along in double");
 }
 
@@ -91,6 +92,7 @@ void add_manner(const Metadata& header, Json& json) {
   };
   json["engine"] = {{"name", text_or_null("engine")},
                     {"because", text_or_null("engine_because")},
+                    {"rounding", text_or_null("engine_rounding")},
                     {"in_double", text_or_null("engine_in_double")}};
   json["photon_mode"] = {{"name", text_or_null("photon_mode")},
                          {"because", text_or_null("photon_mode_because")}};

@@ -12,23 +12,27 @@
 namespace portalens {
 namespace {
 
-/// From the narrowest to the widest. Other processors than Intel's kind have none, and some builds
+/// From the slowest to the fastest. Other processors than Intel's kind have none, and some builds
 /// leave some out (PORTALENS_INSTRUCTION_SETS in CMakeLists.txt).
-std::array<LaneEngine, 3> engines() {
-  std::array<LaneEngine, 3> all{{{"sse4", nullptr}, {"avx2", nullptr}, {"avx512", nullptr}}};
+std::array<LaneEngine, 4> engines() {
+  std::array<LaneEngine, 4> all{
+      {{"sse4", nullptr}, {"sse4-plain", nullptr, false}, {"avx2", nullptr}, {"avx512", nullptr}}};
 #ifdef __x86_64__
   __builtin_cpu_init();
 #ifdef PORTALENS_LANES_SSE4
-  if (__builtin_cpu_supports("sse4.2")) all[0].step = step_lanes_sse4;
+  if (__builtin_cpu_supports("sse4.2")) {
+    all[0].step = step_lanes_sse4;
+    all[1].step = step_lanes_sse4_plain;
+  }
 #endif
 #ifdef PORTALENS_LANES_AVX2
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-    all[1].step = step_lanes_avx2;
+    all[2].step = step_lanes_avx2;
 #endif
 #ifdef PORTALENS_LANES_AVX512
   if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
       __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw"))
-    all[2].step = step_lanes_avx512;
+    all[3].step = step_lanes_avx512;
 #endif
 #endif
   return all;
@@ -44,10 +48,10 @@ LaneEngine lane_engine(std::string_view name) {
 
 LaneEngine lane_engine() {
   if (const char* forced = std::getenv("PORTALENS_ISA")) return lane_engine(forced);
-  LaneEngine widest{"", nullptr};
+  LaneEngine fastest{"", nullptr};
   for (const LaneEngine& engine : engines())
-    if (engine.step) widest = engine;
-  return widest;
+    if (engine.step) fastest = engine;
+  return fastest;
 }
 
 std::string why_no_lane_engine() {

@@ -6,6 +6,7 @@
 #include <map>
 #include <span>
 
+#include "lanes/instruction_sets.h"
 #include "lanes/plan.h"
 #include "photon/beam.h"
 
@@ -34,8 +35,14 @@ std::string why_all_photons(const RenderOptions& options, bool lanes) {
 Manner manner_of(const World& world, const RenderOptions& options) {
   const PlannedSpace& space = world.space;
   const bool lanes = takes_lanes(space, options.engine), fewer = interpolates(world, options);
-  return {lanes ? "lanes" : "scalar", why_no_lanes(space, options.engine),
-          lanes ? kinds_of(world, space.lanes->boxed) : "", fewer ? "fewer" : "all",
+  const bool plain = lanes && !lane_engine().rounds_as_all;
+  return {lanes ? "lanes" : "scalar",
+          why_no_lanes(space, options.engine),
+          plain ? "products and sums are rounded apart, as this processor does; PORTALENS_ISA=sse4 "
+                  "gives the bits of others, slower"
+                : "",
+          lanes ? kinds_of(world, space.lanes->boxed) : "",
+          fewer ? "fewer" : "all",
           fewer ? "" : why_all_photons(options, lanes)};
 }
 
@@ -46,6 +53,7 @@ Metadata manner_metadata(const Manner& manner) {
   };
   add("portalens:engine", manner.engine);
   add("portalens:engine_because", manner.why_scalar);
+  add("portalens:engine_rounding", manner.rounding);
   add("portalens:engine_in_double", manner.in_double);
   add("portalens:photon_mode", manner.photons);
   add("portalens:photon_mode_because", manner.why_all);

@@ -14,6 +14,7 @@ namespace portalens {
 struct Manner {
   std::string engine;      ///< "lanes" or "scalar"
   std::string why_scalar;  ///< what the scene has, and what lanes would take
+  std::string rounding;    ///< of lanes, if other processors get other bits; or empty
   /// Of lanes: near which objects paths are looked along in double ("3 cube, 1 mesh"), or
   /// empty.
   std::string in_double;

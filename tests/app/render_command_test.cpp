@@ -11,6 +11,7 @@
 
 #include "io/exr_matrix.h"
 #include "io/exr_texts.h"
+#include "lanes/instruction_sets.h"
 #include "math/vec3.h"
 #include "support/pictures.h"
 #include "support/run_program.h"
@@ -158,6 +159,25 @@ TEST(Render, SaysByWhichEngineAndWhyWhereverItTellsOfThePicture) {
   EXPECT_NE(forced.output.find("because PORTALENS_ISA asks for 'avx3', which this processor"),
             std::string::npos)
       << forced.output;
+}
+
+TEST(Render, SaysWhereProcessorsWithoutFmaGiveOtherBits) {
+  if (!lane_engine("sse4-plain").step) GTEST_SKIP() << "this processor has no SSE 4.2";
+  const SceneFolder folder;
+  folder.write("tiny.toml", tiny);
+  const auto told = [&](const std::string& set, const std::vector<std::string>& words) {
+    const Outcome outcome = run_shell(
+        folder.path(), "PORTALENS_ISA=" + set + quoted({PORTALENS_PROGRAM}) + quoted(words));
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    return outcome.output.find("products and sums are rounded apart") != std::string::npos;
+  };
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"check", "tiny.toml"},
+                                                {"check", "tiny.toml", "--json"},
+                                                {"render", "tiny.toml", "--stats", "-o", "a.exr"},
+                                                {"render", "tiny.toml", "--json", "-o", "b.exr"}}) {
+    EXPECT_TRUE(told("sse4-plain", words));
+    EXPECT_FALSE(told("sse4", words));
+  }
 }
 
 TEST(Render, OptionsStandAboveTheFile) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
 
 #include "support/random.h"
 #include "support/scale.h"
@@ -50,19 +51,12 @@ std::vector<Photon> camera_photons(int count) {
   return photons;
 }
 
-class LanesOfCoupling : public testing::TestWithParam<std::pair<const char*, int>> {};
-
-TEST_P(LanesOfCoupling, AgreeWithTheScalarEngineWithinFloatButForFewPhotons) {
-  const PlannedSpace space = busy_space(GetParam().first, GetParam().second);
-  ASSERT_TRUE(space.lanes);
-  const auto photons = camera_photons(scaled(5000));
-  std::vector<Arrival> lanes(photons.size()), scalar(photons.size());
-  ASSERT_NE(lane_engine().step, nullptr);
-  advance(space, photons, lanes);
-  advance(space, photons, scalar, Engine::scalar);
+/// @param deep  through many portals in a row, which adds up, and so do errors
+void expect_alike(const std::vector<Arrival>& lanes, const std::vector<Arrival>& scalar,
+                  bool deep) {
   std::vector<double> apart;
   std::size_t unlike = 0;
-  for (std::size_t i = 0; i < photons.size(); ++i) {
+  for (std::size_t i = 0; i < lanes.size(); ++i) {
     const Arrival &a = lanes[i], &b = scalar[i];
     if (a.fate != b.fate || a.object != b.object || a.crossings != b.crossings) {
       ++unlike;
@@ -73,11 +67,38 @@ TEST_P(LanesOfCoupling, AgreeWithTheScalarEngineWithinFloatButForFewPhotons) {
     }
   }
   std::sort(apart.begin(), apart.end());
-  EXPECT_LT(static_cast<double>(unlike), 0.003 * static_cast<double>(photons.size()) + 2);
-  // What comes through many portals in a row adds up, and so do its errors.
-  const bool deep = GetParam().second > 2;
+  EXPECT_LT(static_cast<double>(unlike), 0.003 * static_cast<double>(lanes.size()) + 2);
   EXPECT_LT(apart[apart.size() / 2], deep ? 1e-4 : 3e-5);
   EXPECT_LT(apart[apart.size() * 98 / 100], deep ? 1e-3 : 4e-4);
+}
+
+class LanesOfCoupling : public testing::TestWithParam<std::pair<const char*, int>> {};
+
+TEST_P(LanesOfCoupling, AgreeWithTheScalarEngineWithinFloatButForFewPhotons) {
+  const PlannedSpace space = busy_space(GetParam().first, GetParam().second);
+  ASSERT_TRUE(space.lanes);
+  const auto photons = camera_photons(scaled(5000));
+  std::vector<Arrival> scalar(photons.size());
+  ASSERT_NE(lane_engine().step, nullptr);
+  advance(space, photons, scalar, Engine::scalar);
+  const bool deep = GetParam().second > 2;
+  expect_alike(in_lanes(space, photons, lane_engine().name), scalar, deep);
+  // Those that round products and sums apart, too.
+  if (lane_engine("sse4-plain").step)
+    expect_alike(in_lanes(space, photons, "sse4-plain"), scalar, deep);
+}
+
+TEST(Lanes, OfProcessorsWithoutFmaSayThatTheirBitsAreOthers) {
+  const LaneEngine plain = lane_engine("sse4-plain"), exact = lane_engine("sse4");
+  if (!plain.step) GTEST_SKIP() << "this processor has no SSE 4.2";
+  EXPECT_FALSE(plain.rounds_as_all);
+  EXPECT_TRUE(exact.rounds_as_all);
+  EXPECT_TRUE(lane_engine().rounds_as_all || lane_engine().name == plain.name);
+  const PlannedSpace space = busy_space("closest-point", 1);
+  const auto photons = camera_photons(100);
+  const auto a = in_lanes(space, photons, plain.name), b = in_lanes(space, photons, exact.name);
+  const auto differ = [](const Arrival& x, const Arrival& y) { return x.direction != y.direction; };
+  EXPECT_FALSE(std::equal(a.begin(), a.end(), b.begin(), std::not_fn(differ)));
 }
 
 TEST_P(LanesOfCoupling, GiveTheSameBitsWithEveryInstructionSet) {

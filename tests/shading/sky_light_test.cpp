@@ -6,6 +6,7 @@
 #include <numbers>
 #include <string>
 
+#include "lanes/engine.h"
 #include "math/sobol.h"
 #include "shading/light_samples.h"
 #include "support/scale.h"
@@ -108,6 +109,63 @@ TEST(SkyLight, APlaceOfThePictureIsSeenInItsDirection) {
     const Rgb seen = sky.radiance(sky.direction_of(right, down));
     EXPECT_LT(length(seen - sky.radiance_at(right, down)), 1e-9 * 400);
   }
+}
+
+/// Of a place on a floor, among black balls: all that straight photons find, through one portal at
+/// most, since of images in two nothing is asked.
+Rgb irradiance_by_photons(const PlannedSpace& space, const Environment& sky, Vec3d x) {
+  constexpr int side = 250;
+  std::vector<Photon> photons;
+  for (int i = 0; i < side; ++i)
+    for (int j = 0; j < side; ++j) {
+      const double square = (i + 0.5) / side, around = 2 * pi * (j + 0.5) / side;  // by cosine
+      const double sine = std::sqrt(square), up = std::sqrt(1 - square);
+      photons.push_back(
+          photon_at(x + Vec3d{0, 1e-6, 0}, {sine * std::cos(around), up, sine * std::sin(around)}));
+    }
+  std::vector<Arrival> arrivals(photons.size());
+  advance(space, photons, arrivals, Engine::scalar);
+  Rgb sum;
+  for (const Arrival& arrival : arrivals)
+    if (arrival.fate == Fate::escaped && arrival.crossings < 2)
+      sum += sky.radiance(arrival.direction) * arrival.tint;
+  return sum * (pi / (side * side));
+}
+
+TEST(SkyLight, InRandomPlacesItIsWhatPhotonsSeeOfItThroughPortalsToo) {
+  Random random(9);
+  double through_portals = 0.0;
+  for (int i = 0; i < scaled(12); ++i) {
+    std::vector<Shape> shapes{
+        Quad(std::array<Vec3d, 4>{{{-20, 0, 20}, {20, 0, 20}, {20, 0, -20}, {-20, 0, -20}}})};
+    for (int k = 0; k < 3; ++k) {
+      const double radius = random.uniform(0.3, 1.0);
+      shapes.emplace_back(
+          Sphere({random.uniform(-4, 4), random.uniform(1.1, 4), random.uniform(2, 5)}, radius));
+    }
+    const double z = random.uniform(-3, -1), width = random.uniform(1, 4);
+    auto portals = portal_pair({{-width, 0.1, z}, {width, 0.1, z}, {width, 4, z}, {-width, 4, z}},
+                               {{8, 0.1, -width}, {8, 0.1, width}, {8, 4, width}, {8, 4, -width}});
+    for (Portal& portal : portals) portal.tint = {0.9, 0.6, 0.3};
+    const PlannedSpace space = plain_space(shapes, portals);
+    const Environment sky = random_sky(12, 6, 40 + i);
+    const Material white = diffuse_material({1, 1, 1}), black = diffuse_material({0, 0, 0});
+    Appearance look = appearance_with({white, black}, {SkyLight(sky)}, 4);
+    for (std::size_t k = 1; k < 4; ++k) look.bodies[k].material = 1;
+    const Vec3d x{random.uniform(-3, 3), 0, random.uniform(-0.5, 1.5)};
+    const Rgb expected = irradiance_by_photons(space, sky, x);
+    const Arrival arrival = hit_at(x, {0, -1, 0.1});
+    for (const Vec3d channel : {Vec3d{1, 0, 0}, {0, 0, 1}}) {
+      const Estimate found = estimate(20000, [&](std::uint64_t key) {
+        const ShadeOutput output = shade_one(space, look, arrival, key);
+        for (const ShadowQuery& query : output.shadows)
+          through_portals += query.portal != no_portal && visible(space, query) ? 1 : 0;
+        return pi * dot(channel, light_from(space, output));
+      });
+      EXPECT_NEAR(found.mean, dot(channel, expected), 4.5 * found.error + 3e-3 * found.mean) << i;
+    }
+  }
+  EXPECT_GT(through_portals, 1000);
 }
 
 struct SkyOfAScene : testing::Test {
