@@ -79,7 +79,11 @@ SphereLight SphereLight::from(Parameters& parameters) {
   const double radius = parameters.number("radius", positive);
   const Sphere shape = sound(parameters, "radius", Sphere(middle, radius), radius, Sphere({}, 1.0));
   const Rgb intensity = lamp_intensity(parameters);
-  return {shape, intensity / (std::numbers::pi * radius * radius), is_visible(parameters)};
+  const Rgb radiance = intensity / (std::numbers::pi * radius * radius);
+  if (!is_finite(radiance) && radius > 0.0)
+    parameters.fault("intensity", "so much light from so small a lamp is beyond all numbers",
+                     "make the lamp larger, or less bright");
+  return {shape, is_finite(radiance) ? radiance : Rgb{}, is_visible(parameters)};
 }
 
 }  // namespace portalens

@@ -102,8 +102,10 @@ void add_lamp_bodies(const std::vector<NamedLight>& lights, Objects& objects,
               body.material = static_cast<std::uint32_t>(materials.size());
               objects.shapes.push_back(std::move(*shape));
               objects.bodies.push_back(std::move(body));
-              materials.emplace_back(DiffuseMirror(Constant{{}}), Constant{light.radiance()},
-                                     Shines::in_front);
+              materials
+                  .emplace_back(DiffuseMirror(Constant{{}}), Constant{light.radiance()},
+                                Shines::in_front)
+                  .name = lamp.name;
             }
         },
         lamp.light);

@@ -145,6 +145,12 @@ TEST(AreaLights, SayWhatTheyLack) {
   EXPECT_NE(faults_of(panel + "size = 1\nradius = 2\n").find("radius"), std::string::npos);
 }
 
+TEST(AreaLights, RefuseWhatIsBeyondNumbers) {
+  EXPECT_NE(faults_of("type = \"sphere\"\nposition = [0, 3, 0]\nradius = 1e-8\nintensity = 1e300\n")
+                .find("beyond all numbers"),
+            std::string::npos);
+}
+
 constexpr const char* room =
     "camera = { position = [0, 1, 0.01], look_at = [0, 3, 0], fov = 60 }\n"
     "film = { width = 8, height = 8 }\nsampler = { samples = 1 }\n"
