@@ -4,7 +4,7 @@
 /// The instruction set is part of every type's name, so that templates of two sets never share a
 /// symbol. Only operations that IEEE 754 rounds exactly are used (+ - × ÷ √, a b + c rounded once,
 /// and comparisons), and integers, so all sets give the same bits: but for packs that round a b + c
-/// twice, which spare processors without an instruction for it nine tenths of the time.
+/// twice, which spare processors without an instruction for it most of the time.
 #pragma once
 
 #include <cstdint>

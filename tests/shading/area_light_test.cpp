@@ -171,6 +171,24 @@ TEST(AreaLights, ALampInACeilingIsSeenThere) {
   }
 }
 
+/// Whether it is seen makes no difference to what it lights.
+TEST(AreaLights, ALampInACeilingLightsTheFloorSeenOrNot) {
+  const std::string below =
+      "camera = { position = [0, 2.5, 0.01], look_at = [0, 0, 0], fov = 60 }\n"
+      "film = { width = 8, height = 8 }\nsampler = { samples = 64 }\n"
+      "shading = { ambient = [0, 0, 0] }\nenvironment = { color = [0, 0, 0] }\n"
+      "[[quad]]\nvertices = [[-5, 3, 5], [-5, 3, -5], [5, 3, -5], [5, 3, 5]]\n"
+      "[[quad]]\nvertices = [[-5, 0, 5], [5, 0, 5], [5, 0, -5], [-5, 0, -5]]\n"
+      "[[light]]\ntype = \"disc\"\nradius = 0.5\nposition = [0, 3, 0]\n"
+      "direction = [0, -1, 0]\nintensity = 4\n";
+  const Image seen = render(compiled(below), {}).image;
+  const Image unseen = render(compiled(below + "visible = false\n"), {}).image;
+  // Of a disc, straight below its middle: pi L r² / (r² + d²), and the floor gives back half.
+  EXPECT_NEAR(seen.at(4, 4)[0], 0.5 * 4 * 0.25 / 9.25, 2e-3);
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 8; ++x) EXPECT_EQ(seen.at(x, y)[0], unseen.at(x, y)[0]);
+}
+
 /// From behind it is black, and lights nothing.
 TEST(AreaLights, ShineOnTheirFrontOnly) {
   const std::string behind =

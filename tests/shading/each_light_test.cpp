@@ -77,34 +77,36 @@ TYPED_TEST(EachLight, HasManyPointsUnlessOneSampleTellsAllOfIt) {
   }
 }
 
-/// A place before a large portal, whose pair faces the lights: none of their light is cut off, and
-/// all of it comes as from where they are seen.
+/// A place before a large portal, whose pair lies below the lights and faces them: none of their
+/// light is cut off, and all of it comes as from where they are seen.
 TYPED_TEST(EachLight, ShinesThroughAPortalFromWhereItIsSeen) {
   if constexpr (Distant<TypeParam>) return;  // sun and sky have tests of their own
   const auto portals = portal_pair({{100, -40, 40}, {100, -40, -40}, {100, 40, -40}, {100, 40, 40}},
-                                   {{-40, -40, -6}, {40, -40, -6}, {40, 40, -6}, {-40, 40, -6}});
-  const Vec3d x{103, 1, 0.5}, n{-1, 0, 0};
-  const Quad patch(
-      std::array<Vec3d, 4>{{{103, 0, 1.5}, {103, 2, 1.5}, {103, 2, -0.5}, {103, 0, -0.5}}});
-  const PlannedSpace space = plain_space({patch}, portals);
-  const Rigid& motion = *space.portals.portals()[0].motion();
+                                   {{-40, -6, 40}, {40, -6, 40}, {40, -6, -40}, {-40, -6, -40}});
+  ASSERT_GT(portals[1].frame.normal.y, 0.99);
+  const Rigid motion = *portals[0].motion();
+  const Vec3d there{0.5, -9, 1}, normal{0, 1, 0};
+  const Vec3d x = motion.move_back(there), n = motion.rotate_back(normal);
   ASSERT_GT(dot(portals[0].frame.normal, x - portals[0].frame.origin), 0.0);
-  ASSERT_GT(dot(portals[1].frame.normal, middle - portals[1].frame.origin), 0.0);
+  const Vec3d right = any_perpendicular(n), up = cross(n, right);
+  const Quad patch(
+      std::array<Vec3d, 4>{{x - right - up, x + right - up, x + right + up, x - right + up}});
+  const PlannedSpace space = plain_space({patch}, portals);
   for (const TypeParam& light : LightSamples<TypeParam>::all()) {
     const Appearance look = appearance_with({diffuse_material({1, 1, 1})}, {light});
     const auto found = estimate(scaled(20000), [&](std::uint64_t key) {
       double sum = 0.0;
-      const ShadeOutput output = shade_one(space, look, hit_at(x, {1, 0, 0}), key);
+      const ShadeOutput output = shade_one(space, look, hit_at(x, -n), key);
       for (const ShadowQuery& query : output.shadows)
         if (query.portal == 0 && visible(space, query)) sum += query.contribution.y;
       return sum;
     });
     Random random(3);
-    const Vec3d there = motion.move(x), normal = motion.rotate(n);
     const auto expected = estimate(scaled(20000), [&](std::uint64_t) {
       const double u1 = random.uniform(0, 1), u2 = random.uniform(0, 1);
       return irradiance(light.sample(there, u1, u2), there, normal).y / std::numbers::pi;
     });
+    EXPECT_GT(expected.mean, 0.0);
     EXPECT_NEAR(found.mean, expected.mean,
                 4.5 * (found.error + expected.error) + 1e-9 * expected.mean);
   }

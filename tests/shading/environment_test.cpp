@@ -58,6 +58,10 @@ TEST(Environment, ColorAndIntensityMultiplyThePictureAndIntensityTheColor) {
   EXPECT_EQ(read("color = [0.25, 0.5, 1]\nintensity = 2\n").color, (Rgb{0.5, 1, 2}));
   EXPECT_EQ(read("image = \"a\"\ncolor = [0.25, 0.5, 1]\nintensity = 2\n").scale, (Rgb{0.5, 1, 2}));
   EXPECT_EQ(read("image = \"a\"\n").scale, (Rgb{1, 1, 1}));
+  EXPECT_TRUE(read("image = \"a\"\n").lights);
+  EXPECT_FALSE(read("image = \"a\"\nlights = false\n").lights);
+  EXPECT_FALSE(read("color = [1, 1, 1]\n").lights);
+  EXPECT_TRUE(read("color = [1, 1, 1]\nlights = true\n").lights);
 }
 
 TEST(Environment, HasPlusXToTheRightAndPlusYOnTop) {
