@@ -91,6 +91,16 @@ TEST(Gallery, EveryPictureIsMadeOfNumbersAndLosesNoPhoton) {
   EXPECT_GT(pictures, 20);
 }
 
+/// In the paper skies are seen, and light nothing.
+TEST(Gallery, ThePapersScenesAreLitByLampsAlone) {
+  for (const std::filesystem::path& file : scenes()) {
+    if (file.filename().string().rfind("figure-", 0) != 0) continue;
+    const World world = compile(read_scene(file));
+    for (const Light& light : world.appearance.lights)
+      EXPECT_FALSE(std::holds_alternative<SkyLight>(light)) << file;
+  }
+}
+
 TEST(Gallery, EverySceneBeginsWithItsOwnCommand) {
   for (const auto& file : scenes()) {
     const std::string text = text_of(file);
