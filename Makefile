@@ -15,7 +15,8 @@ all: $(BUILD)/build.ninja
 # Configured once; CMake itself sees later whether it must do so again.
 $(BUILD)/build.ninja:
 	@scripts/install-deps
-	@cmake -S . -B $(BUILD) -G Ninja -DCMAKE_BUILD_TYPE=Release $(CMAKE_OPTIONS)
+	@cmake -S . -B $(BUILD) -G Ninja -DCMAKE_BUILD_TYPE=Release \
+	  -DPORTALENS_UNITY=ON $(CMAKE_OPTIONS)
 
 demo: $(BUILD)/build.ninja
 	@cmake --build $(BUILD) --parallel $(JOBS) --target portalens

@@ -3,8 +3,12 @@
 # once is written so (`multiply_add` in src/math/pack.h).
 add_library(portalens_flags INTERFACE)
 target_compile_features(portalens_flags INTERFACE cxx_std_20)
+set(shadow -Wshadow)
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)  # where files are compiled together, a local name may be that of another's
+  set(shadow $<IF:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>,-Wshadow=local,-Wshadow>)
+endif()
 target_compile_options(portalens_flags INTERFACE
-  -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Wno-psabi -ffp-contract=off -fno-math-errno)
+  -Wall -Wextra ${shadow} -Wnon-virtual-dtor -Wno-psabi -ffp-contract=off -fno-math-errno)
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)  # g++ 12 sees bounds in its own std::string that are not there
   target_compile_options(portalens_flags INTERFACE
     -Wno-restrict -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread)

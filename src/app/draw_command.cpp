@@ -37,10 +37,6 @@ Examples:
   portalens draw scene.toml --view top --fan 0 1 9  0 0 -1  40 15
   portalens draw scene.toml --view side --grid 1 12 --extent -10 0 10 6)";
 
-[[noreturn]] void refuse(const std::string& problem, const std::string& remedy) {
-  throw SceneError({{Location{}, problem, remedy}});
-}
-
 std::optional<Vec3d> place_of(const std::vector<double>& numbers, const char* option) {
   if (numbers.empty()) return std::nullopt;
   const Vec3d place{numbers[0], numbers[1], numbers[2]};

@@ -48,8 +48,8 @@ std::vector<DrawnPath> follow(const World& world, const std::vector<NamedRay>& r
   };
   const bool all = parallel_for(rays.size(), threads, work, [&] { return steps > max_steps; });
   if (!all || steps > max_steps)
-    throw SceneError({{Location{}, fmt::format("the paths have more than {} steps", max_steps),
-                       "draw fewer photons, or take a larger physics.tolerance or physics.step"}});
+    refuse(fmt::format("the paths have more than {} steps", max_steps),
+           "draw fewer photons, or take a larger physics.tolerance or physics.step");
   return paths;
 }
 

@@ -28,8 +28,8 @@ std::optional<Format> known_format(const std::filesystem::path& file) {
 
 Format format_of(const std::filesystem::path& file) {
   if (const auto format = known_format(file)) return *format;
-  throw SceneError({{Location{}, "can't draw " + file.string() + ": its kind is not known",
-                     "a drawing's name ends in .svg or .png"}});
+  refuse("can't draw " + file.string() + ": its kind is not known",
+         "a drawing's name ends in .svg or .png");
 }
 
 std::vector<Channel> linear_channels(const Image& image) {

@@ -54,8 +54,7 @@ int draw(const FieldArguments& arguments) {
 
 int tell(const FieldArguments& arguments) {
   const Vec3d x{arguments.at[0], arguments.at[1], arguments.at[2]};
-  if (!is_finite(x))
-    throw SceneError({{Location{}, "--at has a number that is not finite", "X Y Z are needed"}});
+  if (!is_finite(x)) refuse("--at has a number that is not finite", "X Y Z are needed");
   const AskedScene asked = read_with_settings(arguments.scene);
   const World world = compile_with_options(asked, arguments.scene);
   const FieldReport report = report_field(world.space, x);

@@ -10,10 +10,6 @@
 namespace portalens {
 namespace {
 
-[[noreturn]] void refuse(std::string problem, std::string remedy) {
-  throw SceneError({{Location{}, std::move(problem), std::move(remedy)}});
-}
-
 const FieldPlane& checked(const FieldPlane& plane, const char* option) {
   const double width = length(plane.right), height = length(plane.up);
   const bool sound = is_finite(plane.corner) && std::isfinite(width) && std::isfinite(height) &&

@@ -43,10 +43,6 @@ struct ImageArguments {
   std::array<CLI::Option*, 3> developing{};  ///< exposure, tone and white balance
 };
 
-[[noreturn]] void refuse(const std::string& problem, const std::string& remedy) {
-  throw SceneError({{Location{}, problem, remedy}});
-}
-
 bool is_exr(const std::filesystem::path& file) {
   constexpr std::size_t enough = 16;
   return image_format(RegularFile(file).read(0, enough)) == ImageFormat::exr;

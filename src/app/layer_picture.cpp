@@ -27,10 +27,8 @@ std::vector<const Channel*> channels_named(const ChannelPicture& picture, const 
   std::string known;
   for (const Channel& channel : picture.channels)
     known += (known.empty() ? "" : ", ") + channel.name;
-  throw SceneError(
-      {{{},
-        "--layer " + name + ": the picture has no such layer",
-        "its channels are " + known + "; layers are in an .exr that render --layers wrote"}});
+  refuse("--layer " + name + ": the picture has no such layer",
+         "its channels are " + known + "; layers are in an .exr that render --layers wrote");
 }
 
 /// From the least to the largest number that is there.
@@ -95,8 +93,7 @@ Image layer_picture(const ChannelPicture& picture, const std::string& layer,
   const Plane plane{picture.width, picture.height, channels.front()->values};
   if (layer == "object" || layer == "fate" || layer == "crossings" || layer == "order") {
     if (style.range)
-      throw SceneError(
-          {{{}, "--range: the layer " + layer + " has a colour for each number", "leave it out"}});
+      refuse("--range: the layer " + layer + " has a colour for each number", "leave it out");
     return number_picture(plane, number_names(known_names(layer, style), plane.values));
   }
   const double absent = layer == "depth" ? no_depth : std::numeric_limits<double>::infinity();

@@ -41,12 +41,11 @@ std::string memory_text(std::uint64_t bytes) {
 void check_memory(const MemoryEstimate& estimate) {
   const std::uint64_t there = machine_memory();
   if (estimate.total() <= there) return;
-  throw SceneError({{Location{},
-                     fmt::format("this needs about {} of memory ({} for the picture, {} for the "
-                                 "scene), and there are {}",
-                                 memory_text(estimate.total()), memory_text(estimate.picture),
-                                 memory_text(estimate.scene), memory_text(there)),
-                     "give a smaller film, fewer layers, or take the picture in parts (--crop)"}});
+  refuse(fmt::format("this needs about {} of memory ({} for the picture, {} for the "
+                     "scene), and there are {}",
+                     memory_text(estimate.total()), memory_text(estimate.picture),
+                     memory_text(estimate.scene), memory_text(there)),
+         "give a smaller film, fewer layers, or take the picture in parts (--crop)");
 }
 
 }  // namespace portalens

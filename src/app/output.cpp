@@ -25,15 +25,12 @@ void check_not_an_input(const std::filesystem::path& output,
   for (const std::filesystem::path& input : inputs) {
     std::error_code error;
     if (!std::filesystem::equivalent(output, input, error)) continue;
-    throw SceneError({{Location{}, output.string() + " would be written over what it is made from",
-                       "name another file with -o"}});
+    refuse(output.string() + " would be written over what it is made from",
+           "name another file with -o");
   }
 }
 
 void check_output(const std::filesystem::path& file, const Assignment& assignment) {
-  const auto refuse = [&](const std::string& problem, const std::string& remedy) {
-    throw SceneError({{Location{}, problem, remedy}});
-  };
   if (is_part(file)) return check_replaceable(file);
   check_writable(file);
   if (!assignment.whole_pixels())

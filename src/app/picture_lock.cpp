@@ -34,9 +34,8 @@ PictureLock::PictureLock(const std::filesystem::path& picture)
     ::close(number_);
     number_ = -1;
     if (taken)
-      throw SceneError({{{},
-                         picture.string() + " is being rendered by another process",
-                         "wait until that is done, or name another picture with -o"}});
+      refuse(picture.string() + " is being rendered by another process",
+             "wait until that is done, or name another picture with -o");
     if (!locked) return;
   }
 }

@@ -149,10 +149,8 @@ Recipe read_recipe(const std::filesystem::path& picture) {
   const Metadata header = read_exr_texts(picture);
   const std::string text = entry_in(header, recipe_entry);
   if (text.empty())
-    throw SceneError(
-        {{{},
-          "the picture " + picture.filename().string() + " does not tell how it was made",
-          "name an .exr that portalens rendered or merged, and that image has not changed"}});
+    refuse("the picture " + picture.filename().string() + " does not tell how it was made",
+           "name an .exr that portalens rendered or merged, and that image has not changed");
   try {
     require(text.size() <= max_recipe);
     Recipe recipe = recipe_in(text);
@@ -161,10 +159,8 @@ Recipe read_recipe(const std::filesystem::path& picture) {
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception&) {
-    throw SceneError(
-        {{{},
-          "what the picture " + picture.filename().string() + " tells of its making is damaged",
-          "use another copy of the picture"}});
+    refuse("what the picture " + picture.filename().string() + " tells of its making is damaged",
+           "use another copy of the picture");
   }
 }
 

@@ -139,8 +139,8 @@ std::filesystem::path picture_of(const RenderArguments& arguments) {
   const std::string suffix = arguments.layers.empty() && !arguments.scene.from ? ".png" : ".exr";
   std::filesystem::path picture = arguments.output.value_or(stem_of(arguments.scene) + suffix);
   if (!is_kept(picture) && (arguments.checkpoint || arguments.resume || arguments.restart))
-    throw SceneError({{Location{}, "a picture for standard output has no checkpoint",
-                       "name a file with -o, or leave --checkpoint, --resume and --restart out"}});
+    refuse("a picture for standard output has no checkpoint",
+           "name a file with -o, or leave --checkpoint, --resume and --restart out");
   if (!is_part(picture)) check_writable(picture);  // before a scene that takes long to compile
   return picture;
 }

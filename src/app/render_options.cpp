@@ -153,10 +153,9 @@ SampleRange checked_samples(const RenderArguments& arguments, const World& world
   const auto all = static_cast<std::uint32_t>(world.sampling.samples);
   const SampleRange range{arguments.samples_from.value_or(0), arguments.samples_to.value_or(all)};
   if (range.begin >= range.end || range.end > all)
-    throw SceneError({{Location{},
-                       fmt::format("--samples-from {} --samples-to {} are no samples of a pixel",
-                                   range.begin, range.end),
-                       fmt::format("0 <= A < B <= {} is needed (sampler.samples)", all)}});
+    refuse(fmt::format("--samples-from {} --samples-to {} are no samples of a pixel", range.begin,
+                       range.end),
+           fmt::format("0 <= A < B <= {} is needed (sampler.samples)", all));
   return range;
 }
 
@@ -179,11 +178,10 @@ void add_render_options(CLI::App& command, RenderArguments& arguments) {
 Window checked_crop(const std::vector<int>& crop, const Window& film) {
   const Window window{crop[0], crop[1], crop[2], crop[3]};
   if (window.empty() || !film.holds(window))
-    throw SceneError({{Location{},
-                       fmt::format("--crop {} {} {} {} is no part of the picture", crop[0], crop[1],
-                                   crop[2], crop[3]),
-                       fmt::format("0 <= X0 < X1 <= {} and 0 <= Y0 < Y1 <= {} are needed",
-                                   film.width(), film.height())}});
+    refuse(fmt::format("--crop {} {} {} {} is no part of the picture", crop[0], crop[1], crop[2],
+                       crop[3]),
+           fmt::format("0 <= X0 < X1 <= {} and 0 <= Y0 < Y1 <= {} are needed", film.width(),
+                       film.height()));
   return window;
 }
 

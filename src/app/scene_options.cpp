@@ -43,9 +43,6 @@ Scene scene_from_input() {
 }
 
 void check_choice(const SceneOptions& options) {
-  const auto refuse = [](const std::string& problem, const std::string& remedy) {
-    throw SceneError({{{}, problem, remedy}});
-  };
   if (options.from && !options.file.empty())
     refuse("both a scene and --from are given", "leave one of them out");
   if (options.folder && !std::filesystem::is_directory(*options.folder))

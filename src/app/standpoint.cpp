@@ -110,8 +110,7 @@ Camera placed(const StandpointChoice& choice, const Box& box, double aspect) {
   const Vec3d way = choice.look_at.value_or(box.middle()) - camera.position;
   const double distance = length(way);
   if (!(distance > 1e-9 * (1.0 + length(camera.position))))
-    throw SceneError({{Location{}, "--eye and --look-at are the same place",
-                       "move one of the two, or leave --look-at out"}});
+    refuse("--eye and --look-at are the same place", "move one of the two, or leave --look-at out");
   camera.forward = way / distance;
   const bool steep = std::fabs(camera.forward.y) > 0.999;
   camera.right = normalize(cross(camera.forward, steep ? Vec3d{0, 0, -1} : Vec3d{0, 1, 0}));

@@ -115,13 +115,12 @@ class WaysFile {
       : world_(world), arguments_(arguments), points_(world, arguments.color) {
     const std::filesystem::path& file = arguments.output;
     if (file == standard_stream)
-      throw SceneError(
-          {{Location{}, "what trace prints goes to standard output, and no file besides",
-            "name a file with -o"}});
+      refuse("what trace prints goes to standard output, and no file besides",
+             "name a file with -o");
     if (!is_drawing_file(file) && !is_path_file(file))
-      throw SceneError({{Location{}, "can't write " + file.string() + ": its kind is not known",
-                         "a file of paths ends in .obj, .ply, .gltf or .csv, a drawing of them in "
-                         ".svg or .png"}});
+      refuse("can't write " + file.string() + ": its kind is not known",
+             "a file of paths ends in .obj, .ply, .gltf or .csv, a drawing of them in "
+             ".svg or .png");
     check_replaceable(file);
   }
   void add(std::string name, Trace trace) {

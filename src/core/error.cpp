@@ -51,6 +51,10 @@ std::string to_string(const Fault& fault) {
 SceneError::SceneError(std::vector<Fault> faults)
     : std::runtime_error(joined(sorted(faults))), faults_(sorted(std::move(faults))) {}
 
+void refuse(std::string problem, std::string remedy) {
+  throw SceneError({{Location{}, std::move(problem), std::move(remedy)}});
+}
+
 void Faults::add(Location where, std::string problem, std::string remedy) {
   faults_.push_back({std::move(where), std::move(problem), std::move(remedy)});
 }

@@ -36,6 +36,10 @@ class SceneError : public std::runtime_error {
   std::vector<Fault> faults_;
 };
 
+/// Refuses what the command line asks for.
+/// @throws SceneError  always, with this one fault
+[[noreturn]] void refuse(std::string problem, std::string remedy);
+
 /// Collects faults so that a file is told all of its mistakes in one go.
 class Faults {
  public:

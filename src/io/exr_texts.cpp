@@ -62,14 +62,13 @@ Metadata texts_of(HeaderCursor in) {
 Metadata read_exr_texts(const std::filesystem::path& file) {
   const std::string bytes = RegularFile(file).read(0, max_header);
   const std::string name = "the picture " + file.filename().string() + " ";
-  if (image_format(bytes) != ImageFormat::exr)
-    throw SceneError({{{}, name + "is no EXR", "name an .exr file"}});
+  if (image_format(bytes) != ImageFormat::exr) refuse(name + "is no EXR", "name an .exr file");
   try {
     return texts_of(HeaderCursor(bytes));
   } catch (const Refusal& refusal) {
     if (bytes.size() == max_header)
-      throw SceneError({{{}, name + "has a header of more than 16 MiB", "save it without"}});
-    throw SceneError({{{}, name + refusal.problem, refusal.remedy}});
+      refuse(name + "has a header of more than 16 MiB", "save it without");
+    refuse(name + refusal.problem, refusal.remedy);
   }
 }
 

@@ -290,9 +290,8 @@ void replace_file(const fs::path& file, std::string_view bytes) {
 void check_replaceable(const fs::path& file) {
   if (file == standard_stream) {
     if (::isatty(STDOUT_FILENO) == 0) return;
-    throw SceneError({{{},
-                       "standard output is a terminal, which shows no files",
-                       "send it on with | or >, or name a file"}});
+    refuse("standard output is a terminal, which shows no files",
+           "send it on with | or >, or name a file");
   }
   const fs::path target = behind_links(file);
   refuse_what_is_no_file(target);

@@ -29,11 +29,11 @@ Target target_of(const fs::path& file) {
   if (suffix == ".png") return Target::png;
   if (suffix == ".jpg" || suffix == ".jpeg") {
     if (encodes_jpeg()) return Target::jpeg;
-    throw SceneError({{Location{}, "can't write " + file.string() + ": this build writes no JPEG",
-                       "name a .png file, or take a build with libjpeg-turbo"}});
+    refuse("can't write " + file.string() + ": this build writes no JPEG",
+           "name a .png file, or take a build with libjpeg-turbo");
   }
-  throw SceneError({{Location{}, "can't write " + file.string() + ": its kind is not known",
-                     "a picture's name ends in .exr, .png or .jpg"}});
+  refuse("can't write " + file.string() + ": its kind is not known",
+         "a picture's name ends in .exr, .png or .jpg");
 }
 
 void check_values(const EncodedPicture& picture) {

@@ -8,7 +8,7 @@
 namespace portalens {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double turns(double degrees) { return std::remainder(degrees, 360.0) / 360.0; }
 

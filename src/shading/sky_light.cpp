@@ -7,7 +7,7 @@
 namespace portalens {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// One of several, and what is left of the uniform number that chose it: uniform again.
 struct Choice {

@@ -96,7 +96,7 @@ class Reader {
   std::size_t at_ = 0;
 };
 
-const std::string scene = R"(camera = { position = [0, 0, 5], look_at = [0, 0, 0] }
+const std::string lit_scene = R"(camera = { position = [0, 0, 5], look_at = [0, 0, 0] }
 film = { width = 21, height = 13 }
 sphere = [{ center = [0, 0, 0], radius = 1, mass = 100 }]
 environment = { color = [0.25, 0.5, 0.75] }
@@ -104,7 +104,7 @@ environment = { color = [0.25, 0.5, 0.75] }
 
 TEST(DisplayServer, IsToldEveryPixelOfThePicture) {
   const SceneFolder folder;
-  folder.write("scene.toml", scene);
+  folder.write("scene.toml", lit_scene);
   Listener listener;
   listener.hear();
   const Outcome outcome =
@@ -154,7 +154,7 @@ TEST(DisplayServer, IsToldEveryPixelOfThePicture) {
 
 TEST(DisplayServer, ThatGoesAwayDoesNotHoldUpThePicture) {
   const SceneFolder folder;
-  folder.write("scene.toml", scene);
+  folder.write("scene.toml", lit_scene);
   Listener listener;
   listener.hear(1);
   const Outcome outcome = run_portalens(
@@ -167,7 +167,7 @@ TEST(DisplayServer, ThatGoesAwayDoesNotHoldUpThePicture) {
 
 TEST(DisplayServer, ThatIsNotThereIsToldBeforeTheWork) {
   const SceneFolder folder;
-  folder.write("scene.toml", scene);
+  folder.write("scene.toml", lit_scene);
   std::string port;
   {
     const Listener gone;

@@ -14,7 +14,7 @@ namespace {
 using nlohmann::json;
 
 /// A portal whose pair is far away, with a mass in front of that.
-const std::string scene = R"([camera]
+const std::string field_scene = R"([camera]
 position = [0, 12, 0]
 look_at = [0, 0, 0]
 up = [0, 0, -1]
@@ -42,7 +42,7 @@ mass = 50
 
 class FieldCommand : public testing::Test {
  protected:
-  void SetUp() override { folder_.write("scene.toml", scene); }
+  void SetUp() override { folder_.write("scene.toml", field_scene); }
 
   Outcome run(std::vector<std::string> words) {
     words.insert(words.begin() + 1, "scene.toml");

@@ -17,7 +17,7 @@ namespace {
 
 using nlohmann::json;
 
-const std::string scene = R"([camera]
+const std::string layered_scene = R"([camera]
 position = [0, 1, 6]
 look_at = [0, 0.5, 0]
 fov = 70
@@ -72,7 +72,7 @@ const std::map<std::string, std::vector<std::string>> channels_of_layer = {
 
 TEST(Layers, TellOfEachPixelWhatTraceTellsOfItsFirstSample) {
   const SceneFolder folder;
-  folder.write("scene.toml", scene);
+  folder.write("scene.toml", layered_scene);
   ASSERT_EQ(run_portalens(folder.path(),
                           {"render", "scene.toml", "-o", "a.exr", "--layers", every_layer_word})
                 .code,
@@ -124,7 +124,7 @@ TEST(Layers, TellOfEachPixelWhatTraceTellsOfItsFirstSample) {
 
 TEST(Layers, AreListedByExrheaderUnderTheNamesThatCompositingProgramsExpect) {
   const SceneFolder folder;
-  folder.write("scene.toml", scene);
+  folder.write("scene.toml", layered_scene);
   ASSERT_EQ(run_portalens(folder.path(),
                           {"render", "scene.toml", "-o", "a.exr", "--layers", every_layer_word})
                 .code,
@@ -165,7 +165,7 @@ TEST(Picture, TellsFromWhereItIsSeenAndWhatLiesBehind) {
 
 TEST(Layers, DependOnNeitherThreadsNorCropAndLeaveThePictureAsItWas) {
   const SceneFolder folder;
-  folder.write("scene.toml", scene);
+  folder.write("scene.toml", layered_scene);
   const auto render = [&](const std::vector<std::string>& more) {
     std::vector<std::string> words = {"render", "scene.toml"};
     words.insert(words.end(), more.begin(), more.end());
@@ -194,7 +194,7 @@ TEST(Layers, DependOnNeitherThreadsNorCropAndLeaveThePictureAsItWas) {
 
 TEST(Layers, NeedAFileThatHoldsThem) {
   const SceneFolder folder;
-  folder.write("scene.toml", scene);
+  folder.write("scene.toml", layered_scene);
   for (const std::vector<std::string>& more :
        {std::vector<std::string>{"--layers", "depth", "-o", "a.png"},
         {"--layers", "depth", "-o", "a.jpg"},
@@ -210,7 +210,7 @@ TEST(Layers, NeedAFileThatHoldsThem) {
 
 TEST(Statistics, NameTheFirstLostPixelsReadyToBePasted) {
   const SceneFolder folder;
-  folder.write("scene.toml", scene);
+  folder.write("scene.toml", layered_scene);
   const Outcome rendered =
       run_portalens(folder.path(), {"render", "scene.toml", "--set", "physics.max_length=7",
                                     "--stats", "--width", "32", "--tile", "3"});

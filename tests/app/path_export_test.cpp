@@ -19,7 +19,7 @@ namespace {
 using nlohmann::json;
 using Point = std::array<double, 3>;
 
-const std::string scene = R"(camera = { position = [0, 0, 9], look_at = [0, 0, 0] }
+const std::string path_scene = R"(camera = { position = [0, 0, 9], look_at = [0, 0, 0] }
 physics = { portal_gravity = "none" }
 mass = [{ name = "the <hole> \"ä\"", center = [0, 0, 0], mass = 500 }]
 quad = [{ name = "wall", vertices = [[-9, -9, -9], [9, -9, -9], [9, 9, -9], [-9, 9, -9]] }]
@@ -38,7 +38,7 @@ struct Exported {
 
 void export_paths(Exported& exported, const std::string& name,
                   const std::vector<std::string>& more = {}) {
-  exported.folder.write("scene.toml", scene);
+  exported.folder.write("scene.toml", path_scene);
   std::vector<std::string> words = {"trace",  "scene.toml", "--rays", "-",
                                     "--json", "--path",     "-o",     name};
   words.insert(words.end(), more.begin(), more.end());
@@ -288,7 +288,7 @@ TEST(PathExport, ADrawingColorsWaysByFateOrByTurning) {
 
 TEST(PathExport, NeedsAPlaceAndAKind) {
   const SceneFolder folder;
-  folder.write("scene.toml", scene);
+  folder.write("scene.toml", path_scene);
   for (const char* place : {"a.stl", "no/such/a.obj"}) {
     const Outcome outcome =
         run_portalens(folder.path(), {"trace", "scene.toml", "--pixel", "1", "1", "-o", place});

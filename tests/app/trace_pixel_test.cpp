@@ -15,7 +15,7 @@ namespace {
 using nlohmann::json;
 
 /// A mirror over a floor, a rough one beside it, a lamp, a hole.
-const std::string scene = R"([camera]
+const std::string mirror_scene = R"([camera]
 position = [0, 1, 6]
 look_at = [0, 0.5, 0]
 [film]
@@ -76,7 +76,7 @@ std::vector<std::string> some_pixels() {
 
 TEST(TracePixel, TheSamplesLightsAddUpToThePicture) {
   const SceneFolder folder;
-  folder.write("scene.toml", scene);
+  folder.write("scene.toml", mirror_scene);
   ASSERT_EQ(
       run_portalens(folder.path(), {"render", "scene.toml", "-o", "a.exr", "--engine", "scalar"})
           .code,
@@ -105,7 +105,7 @@ TEST(TracePixel, TheSamplesLightsAddUpToThePicture) {
 
 TEST(TracePixel, TheCentresPhotonIsTheOnlySampleOfAPixelWithOne) {
   const SceneFolder folder;
-  folder.write("scene.toml", scene);
+  folder.write("scene.toml", mirror_scene);
   EXPECT_EQ(traced(folder, {"--pixel", "5", "9", "--set", "sampler.samples=1"}),
             traced(folder, {"--pixel", "5", "9", "--set", "sampler.samples=1", "--sample", "0"}));
   const json answer = traced(folder, {"--pixel", "0", "0"}).at(0);
@@ -116,7 +116,7 @@ TEST(TracePixel, TheCentresPhotonIsTheOnlySampleOfAPixelWithOne) {
 
 TEST(TracePixel, ItsRayPastedIntoRayGoesTheSameWay) {
   const SceneFolder folder;
-  folder.write("scene.toml", scene);
+  folder.write("scene.toml", mirror_scene);
   const json pixel =
       traced(folder, {"--pixel", "18", "7", "--sample", "2", "--bounces", "0", "--path"}).at(0);
   std::vector<std::string> words = {"--path", "--ray"};
@@ -131,7 +131,7 @@ TEST(TracePixel, ItsRayPastedIntoRayGoesTheSameWay) {
 
 TEST(TracePixel, ThePathChangesNothingAndEndsWhereThePhotonDoes) {
   const SceneFolder folder;
-  folder.write("scene.toml", scene);
+  folder.write("scene.toml", mirror_scene);
   auto words = some_pixels();
   const auto without = traced(folder, words);
   words.push_back("--path");
@@ -146,7 +146,7 @@ TEST(TracePixel, ThePathChangesNothingAndEndsWhereThePhotonDoes) {
 
 TEST(TracePixel, BouncesStopWhereTheUserSays) {
   const SceneFolder folder;
-  folder.write("scene.toml", scene);
+  folder.write("scene.toml", mirror_scene);
   const std::vector<std::string> ball = {"--pixel", "8", "10"};
   const json all = traced(folder, ball).at(0);
   ASSERT_GE(all["bounces"].size(), 2u) << all;
@@ -160,7 +160,7 @@ TEST(TracePixel, BouncesStopWhereTheUserSays) {
 
 TEST(TracePixel, WhatIsNoPixelOrNoSampleIsRefused) {
   const SceneFolder folder;
-  folder.write("scene.toml", scene);
+  folder.write("scene.toml", mirror_scene);
   const std::vector<std::vector<std::string>> wrong = {{"--pixel", "24", "0"},
                                                        {"--pixel", "0", "16"},
                                                        {"--pixel", "-1", "3"},

@@ -14,7 +14,7 @@ namespace {
 using nlohmann::json;
 
 /// Two walls that face each other, a pair of portals, and a mass whose influence ends well away.
-const std::string scene = R"([physics]
+const std::string hole_scene = R"([physics]
 portal_gravity = "none"
 min_force = 1.0
 [camera]
@@ -45,7 +45,7 @@ mass = 1000
 
 std::vector<json> traced(const std::vector<std::string>& arguments, const std::string& input = "") {
   const SceneFolder folder;
-  folder.write("scene.toml", scene);
+  folder.write("scene.toml", hole_scene);
   std::vector<std::string> words = {"trace", "scene.toml", "--json"};
   words.insert(words.end(), arguments.begin(), arguments.end());
   const Outcome outcome = run_portalens(folder.path(), words, input);
@@ -166,7 +166,7 @@ TEST(Trace, ARayMayBeGivenAgain) {
 
 TEST(Trace, MalformedLinesAreAllNamedAndNothingIsAnswered) {
   const SceneFolder folder;
-  folder.write("scene.toml", scene);
+  folder.write("scene.toml", hole_scene);
   folder.write("rays.txt",
                "0 0 0 1 0 0\n"
                "0 0 0 1 0\n"
@@ -189,7 +189,7 @@ TEST(Trace, MalformedLinesAreAllNamedAndNothingIsAnswered) {
 
 TEST(Trace, PeopleAreToldInWords) {
   const SceneFolder folder;
-  folder.write("scene.toml", scene);
+  folder.write("scene.toml", hole_scene);
   const Outcome outcome = run_portalens(
       folder.path(),
       {"trace", "scene.toml", "--ray", "0", "0", "0", "-1", "0", "0", "--bounces", "1", "--path"});
@@ -222,7 +222,7 @@ TEST(Trace, TellsWhereACameraStandsThatWentThrough) {
   expect_vector(by_ray["position"], 20, 20, 17);
   expect_vector(by_ray["look_at"], 20, 20, 18);
   const SceneFolder folder;
-  folder.write("scene.toml", scene);
+  folder.write("scene.toml", hole_scene);
   const std::string text = run_portalens(folder.path(), {"check", "scene.toml"}).output;
   EXPECT_NE(text.find("    a camera that goes through stands at\n      position = [20, 20, 12]\n"
                       "      look_at = [20, 20, 13]\n      up = [0, 1, 0]\n"),

@@ -5,13 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <memory>
+
+#include "support/infinity.h"
 
 namespace portalens::test {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 class ParametersTest : public testing::Test {
  protected:

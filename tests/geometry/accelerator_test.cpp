@@ -10,12 +10,11 @@
 #include <thread>
 
 #include "geometry/samples.h"
+#include "support/infinity.h"
 #include "support/scale.h"
 
 namespace portalens::test {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::vector<Shape> one_of_each(Vec3d at) {
   std::vector<Shape> shapes;

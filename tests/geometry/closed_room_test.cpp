@@ -2,16 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "geometry/accelerator.h"
 #include "geometry/samples.h"
+#include "support/infinity.h"
 #include "support/scale.h"
 
 namespace portalens::test {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Room {
   const char* name;

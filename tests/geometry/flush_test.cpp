@@ -4,19 +4,17 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "geometry/accelerator.h"
 #include "geometry/samples.h"
 #include "math/rigid.h"
+#include "support/infinity.h"
 #include "support/random.h"
 #include "support/scale.h"
 
 namespace portalens::test {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Moves and turns a whole scene: what is met must not depend on it.
 struct Placement {

@@ -6,12 +6,11 @@
 #include <limits>
 
 #include "geometry/samples.h"
+#include "support/infinity.h"
 #include "support/scale.h"
 
 namespace portalens::test {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 TEST(Mesh, InterpolatesNormalsAndKeepsTheGeometricOnes) {
   const Mesh smooth(globe(8, {}, 1, true)), flat(globe(8, {}, 1, false));

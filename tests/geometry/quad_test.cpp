@@ -3,15 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
-
 #include "geometry/samples.h"
+#include "support/infinity.h"
 #include "support/scale.h"
 
 namespace portalens::test {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 TEST(Quad, TextureCoordinatesInvertTheBilinearMap) {
   Random random(1);

@@ -9,13 +9,12 @@
 
 #include "geometry/closest_point.h"
 #include "geometry/samples.h"
+#include "support/infinity.h"
 #include "support/list_types.h"
 #include "support/scale.h"
 
 namespace portalens::test {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 template <class Type>
 class EachShape : public testing::Test {};

@@ -2,15 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "geometry/samples.h"
+#include "support/infinity.h"
 #include "support/scale.h"
 
 namespace portalens::test {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 void expect_close(Vec3d a, Vec3d b, double tolerance = 1e-12) {
   EXPECT_LT(length(a - b), tolerance)

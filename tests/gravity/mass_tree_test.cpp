@@ -4,16 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "gravity/influence.h"
+#include "support/infinity.h"
 #include "support/random.h"
 #include "support/scale.h"
 
 namespace portalens::test {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Small and large spheres, some far off, some that act everywhere.
 std::vector<Mass> strewn_masses(int count, Random& random) {

@@ -8,6 +8,7 @@
 
 #include "io/checksums.h"
 #include "io/image.h"
+#include "support/pictures.h"
 #include "support/random.h"
 #include "support/scale.h"
 #include "support/temporary_folder.h"
@@ -191,17 +192,6 @@ TEST(ImageFormats, TilesMayBeLargerThanTheirPicture) {
   }
 }
 
-std::string refusal(const std::filesystem::path& file) {
-  Faults faults;
-  EXPECT_FALSE(read_image(file, {}, faults));
-  try {
-    faults.raise();
-  } catch (const SceneError& error) {
-    return error.what();
-  }
-  return "";
-}
-
 /// Bytes too many before a marker are harmless; what is wrong behind them is not.
 TEST(ImageFormats, JpegsThatEndTooEarlyOrBreakBehindAWarningAreRefused) {
   const TemporaryFolder folder;
@@ -214,12 +204,12 @@ TEST(ImageFormats, JpegsThatEndTooEarlyOrBreakBehindAWarningAreRefused) {
   Faults faults;
   EXPECT_TRUE(read_image(folder.write("b.jpg", stray), {}, faults));
   const std::size_t half = scan + (stray.size() - scan) / 2;
-  EXPECT_NE(refusal(folder.write("c.jpg", stray.substr(0, half))).find("cut off"),
+  EXPECT_NE(refusal_of_image(folder.write("c.jpg", stray.substr(0, half))).find("cut off"),
             std::string::npos);
-  EXPECT_NE(refusal(folder.write("d.jpg", sound.substr(0, half) + "\xff\xd9")), "");
+  EXPECT_NE(refusal_of_image(folder.write("d.jpg", sound.substr(0, half) + "\xff\xd9")), "");
   std::string other_table = stray;
   other_table[other_table.find("\xff\xda") + 6] = '\x33';
-  EXPECT_NE(refusal(folder.write("e.jpg", other_table)), "");
+  EXPECT_NE(refusal_of_image(folder.write("e.jpg", other_table)), "");
 }
 
 TEST(ImageFormats, JpegsOfRareSubsamplingAreRefusedAsSuch) {
@@ -232,7 +222,8 @@ TEST(ImageFormats, JpegsOfRareSubsamplingAreRefusedAsSuch) {
   ASSERT_NE(frame, std::string::npos);
   ASSERT_EQ(rare[frame + 11], '\x22');
   rare[frame + 11] = '\x31';
-  EXPECT_NE(refusal(folder.write("b.jpg", rare)).find("subsampling of colours"), std::string::npos);
+  EXPECT_NE(refusal_of_image(folder.write("b.jpg", rare)).find("subsampling of colours"),
+            std::string::npos);
 }
 
 TEST(ImageFormats, GrayWithOtherChannelsIsGray) {
@@ -248,7 +239,8 @@ TEST(ImageFormats, GrayWithOtherChannelsIsGray) {
   for (std::size_t i = 0; i < image->pixels.size(); ++i)
     EXPECT_EQ(image->pixels[i], expected[i / 3]);
   spec.channelnames = {"BY", "RY", "Y"};
-  EXPECT_NE(refusal(foreign(folder, "b.exr", spec, random)).find("luminance"), std::string::npos);
+  EXPECT_NE(refusal_of_image(foreign(folder, "b.exr", spec, random)).find("luminance"),
+            std::string::npos);
 }
 
 TEST(ImageFormats, ColoursOfALayerKeepTheirOrder) {

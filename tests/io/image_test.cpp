@@ -13,6 +13,7 @@
 #include "io/image_bytes.h"
 #include "io/srgb_bytes.h"
 #include "math/srgb.h"
+#include "support/pictures.h"
 #include "support/random.h"
 #include "support/scale.h"
 #include "support/temporary_folder.h"
@@ -38,17 +39,6 @@ std::optional<Image> read(const std::filesystem::path& file) {
   auto image = read_image(file, {}, faults);
   EXPECT_EQ(image.has_value(), faults.empty()) << file;
   return image;
-}
-
-std::string refusal(const std::filesystem::path& file) {
-  Faults faults;
-  EXPECT_FALSE(read_image(file, {}, faults)) << file;
-  try {
-    faults.raise();
-  } catch (const SceneError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 /// A file as other programs write it.
@@ -223,18 +213,20 @@ TEST(ImageFile, TheKindIsToldByTheBytesNotByTheName) {
   EXPECT_TRUE(read(folder.path() / "a.png"));
   for (const auto& [name, kind] :
        {std::pair{"a.tif", "is TIFF; EXR"}, {"a.bmp", "is BMP; EXR"}, {"a.ppm", "is PPM; EXR"}}) {
-    const auto told = refusal(foreign(folder, name, 3, OIIO::TypeDesc::UINT8, 0.5F));
+    const auto told = refusal_of_image(foreign(folder, name, 3, OIIO::TypeDesc::UINT8, 0.5F));
     EXPECT_NE(told.find(kind), std::string::npos) << told;
   }
-  EXPECT_NE(refusal(folder.write("empty.png", "")).find("no known kind"), std::string::npos);
+  EXPECT_NE(refusal_of_image(folder.write("empty.png", "")).find("no known kind"),
+            std::string::npos);
 }
 
 TEST(ImageFile, ValuesThatAreNotFiniteAreRefused) {
   const TemporaryFolder folder;
   for (const float bad :
        {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
-    EXPECT_NE(refusal(foreign(folder, "a.exr", 3, OIIO::TypeDesc::FLOAT, bad)).find("(0, 0)"),
-              std::string::npos);
+    EXPECT_NE(
+        refusal_of_image(foreign(folder, "a.exr", 3, OIIO::TypeDesc::FLOAT, bad)).find("(0, 0)"),
+        std::string::npos);
   }
   auto channels = channels_of({"R", "G", "B"});
   channels[1].values[width + 2] = std::numeric_limits<float>::quiet_NaN();
@@ -249,14 +241,14 @@ TEST(ImageFile, ValuesThatAreNotFiniteAreRefused) {
 
 TEST(ImageFile, AHugeHeaderIsRefusedBeforeAnythingIsAllocated) {
   const TemporaryFolder folder;
-  EXPECT_NE(refusal(folder.write("a.hdr",
-                                 "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n"
-                                 "-Y 1000000000 +X 1000000000\n"))
+  EXPECT_NE(refusal_of_image(folder.write("a.hdr",
+                                          "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n"
+                                          "-Y 1000000000 +X 1000000000\n"))
                 .find("16384"),
             std::string::npos);
   auto png = TemporaryFolder::read(foreign(folder, "a.png", 3, OIIO::TypeDesc::UINT8, 0.5F));
   png.replace(16, 8, std::string("\x00\x10\x00\x00\x00\x10\x00\x00", 8));  // its checksum is wrong
-  EXPECT_NE(refusal(folder.write("b.png", png)), "");
+  EXPECT_NE(refusal_of_image(folder.write("b.png", png)), "");
 }
 
 TEST(ImageFile, DescriptionsAreLeftOutAndThePictureIsNot) {

@@ -76,7 +76,7 @@ TEST(ImageWindow, OutsideTheDataWindowIsBlackAndBeyondTheDisplayWindowIsCut) {
     }
 }
 
-std::string refusal(const std::filesystem::path& file) {
+std::string refusal_by_both(const std::filesystem::path& file) {
   Faults faults;
   EXPECT_FALSE(read_image(file, {}, faults));
   EXPECT_FALSE(read_channels(file, {}, faults));
@@ -93,16 +93,16 @@ TEST(ImageWindow, APictureThatShowsNothingIsRefused) {
   for (const PixelWindow& data :
        {PixelWindow{10, 0, 5, 5}, PixelWindow{0, -5, 5, 5}, PixelWindow{-9, -9, 5, 5}}) {
     const auto file = exr(folder, data, {0, 0, 10, 10}, Storage::lines);
-    EXPECT_NE(refusal(file).find("outside its display window"), std::string::npos);
+    EXPECT_NE(refusal_by_both(file).find("outside its display window"), std::string::npos);
   }
 }
 
 TEST(ImageWindow, AVastDisplayWindowIsRefusedBeforeMemoryIsTaken) {
   const TemporaryFolder folder;
   const auto few = exr(folder, {0, 0, 4, 4}, {0, 0, 16384, 8192}, Storage::lines);
-  EXPECT_NE(refusal(few).find("can hold"), std::string::npos);
+  EXPECT_NE(refusal_by_both(few).find("can hold"), std::string::npos);
   const auto wide = exr(folder, {0, 0, 4, 4}, {0, 0, 20000, 4}, Storage::lines);
-  EXPECT_NE(refusal(wide).find("20000 x 4"), std::string::npos);
+  EXPECT_NE(refusal_by_both(wide).find("20000 x 4"), std::string::npos);
 }
 
 }  // namespace

@@ -15,8 +15,8 @@
 namespace portalens::test {
 namespace {
 
-constexpr double min_force = 10.0;  // the horizon of a sphere of influence of radius R is R²/101
-constexpr double half = 10.0;       // of the box in which they are
+constexpr double weak_force = 10.0;  // the horizon of a sphere of influence of radius R is R²/101
+constexpr double half = 10.0;        // of the box in which they are
 
 /// What many masses is like.
 struct Kind {
@@ -117,11 +117,11 @@ TEST_P(ManyMassesIn, LanesLandWhereTheScalarEngineHasThem) {
   const Kind& kind = GetParam();
   const int count = scaled(500);
   for (const std::uint64_t seed : {1, 2}) {
-    const PlannedSpace space = space_of(kind, physics_with(1e-4, min_force), seed);
+    const PlannedSpace space = space_of(kind, physics_with(1e-4, weak_force), seed);
     ASSERT_TRUE(space.lanes);
     ASSERT_GT(space.lanes->scene.many.count, 0);
     const auto photons = photons_about(count, seed);
-    const auto exact = by_scalar(space_of(kind, physics_with(1e-8, min_force), seed), photons);
+    const auto exact = by_scalar(space_of(kind, physics_with(1e-8, weak_force), seed), photons);
     const Errors scalar(by_scalar(space, photons), exact);
     const Errors lanes(in_lanes(space, photons, lane_engine().name), exact);
     EXPECT_LE(lanes.unlike, 2 * scalar.unlike + 2);
@@ -135,7 +135,7 @@ TEST_P(ManyMassesIn, LanesLandWhereTheScalarEngineHasThem) {
 
 TEST_P(ManyMassesIn, LanesGiveTheSameBitsWithEveryInstructionSetAndInAnyOrder) {
   const Kind& kind = GetParam();
-  const PlannedSpace space = space_of(kind, physics_with(1e-4, min_force), 3);
+  const PlannedSpace space = space_of(kind, physics_with(1e-4, weak_force), 3);
   const auto photons = photons_about(scaled(400), 3);
   const auto expected = in_lanes(space, photons, lane_engine().name);
   std::vector<std::size_t> order(photons.size());
@@ -155,7 +155,7 @@ TEST_P(ManyMassesIn, LanesGiveTheSameBitsWithEveryInstructionSetAndInAnyOrder) {
 }
 
 TEST(ManyMasses, IsBesideMassesThatAreAlone) {
-  const Physics physics = physics_with(1e-4, min_force);
+  const Physics physics = physics_with(1e-4, weak_force);
   std::vector<Mass> masses = masses_of({"", 20, 3.0}, physics, 5);
   for (int i = 0; i < 10; ++i)
     masses.insert(masses.begin() + 2 * i, mass_of({40.0 + 4.0 * i, 0, 0}, 1.9, physics));
@@ -197,7 +197,7 @@ TEST(ManyMasses, AbsorbsWhereHorizonsAreLargerThanInfluences) {
 
 TEST(ManyMasses, KeepsTheLimits) {
   for (const bool of_steps : {true, false}) {
-    Physics physics = physics_with(1e-4, min_force);
+    Physics physics = physics_with(1e-4, weak_force);
     (of_steps ? physics.max_steps = 20 : physics.max_length = 47.0);
     const PlannedSpace space = space_of({"", 300, 2.0}, physics, 7);
     ASSERT_TRUE(space.lanes);
@@ -214,7 +214,7 @@ TEST(ManyMasses, KeepsTheLimits) {
 
 TEST(ManyMasses, LeavesToTheScalarEngineWhereThereAreTooMany) {
   // Beyond `max_lane_near`, no place may lie in more than `max_lane_own`.
-  const Physics physics = physics_with(1e-3, min_force);
+  const Physics physics = physics_with(1e-3, weak_force);
   Random random(8);
   std::vector<Mass> masses;
   for (int i = 0; i < max_lane_near; ++i)
@@ -240,7 +240,7 @@ TEST(ManyMasses, MayHavePortalsThatActAsMassesAndNoneThatAreLookedThrough) {
                                         {"closest-point", false},
                                         {"graviton-map", false},
                                         {"shortest-path", false}}) {
-    Physics physics = physics_with(1e-4, min_force);
+    Physics physics = physics_with(1e-4, weak_force);
     physics.portal_gravity = coupling;
     const PlannedSpace space = space_of({"", 12, 2.0, 1.0, 0.0, 0, true}, physics, 10);
     EXPECT_EQ(static_cast<bool>(space.lanes), takes) << coupling;
@@ -254,7 +254,7 @@ TEST(ManyMasses, MayHavePortalsThatActAsMassesAndNoneThatAreLookedThrough) {
 }
 
 TEST(ManyMasses, MayLieAllAtOnePlaceOrUnderOneGiant) {
-  const Physics physics = physics_with(1e-3, min_force);
+  const Physics physics = physics_with(1e-3, weak_force);
   std::vector<Mass> heap(max_lane_many, mass_of({0, 0, 0}, 1e-3, physics));
   const PlannedSpace at_one_place = space_with(physics, heap);
   EXPECT_TRUE(at_one_place.lanes);

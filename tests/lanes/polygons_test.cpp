@@ -299,7 +299,7 @@ TEST(LanesThroughPolygons, TakeThoseOfTwoSides) {
       for (Portal& portal : portals) portal.two_sided = true;
       const PlannedSpace space = space_of(coupling, 1, portals);
       ASSERT_TRUE(space.lanes) << space.no_lanes_because;
-      expect_as_scalar(space, photons_from_all_sides(scaled(2500)), true);
+      expect_as_scalar(space, photons_from_all_sides(scaled(1000)), true);
     }
 }
 

@@ -40,7 +40,7 @@ PlannedSpace space_about(double gm, double tolerance) {
                     std::move(portals));
 }
 
-std::vector<Photon> photons_from_all_sides(int count) {
+std::vector<Photon> photons_towards_the_middle(int count) {
   Random random(41);
   std::vector<Photon> photons;
   for (int i = 0; i < count; ++i) {
@@ -51,7 +51,7 @@ std::vector<Photon> photons_from_all_sides(int count) {
 }
 
 TEST(SeenPath, StepsNearShapesStayInLanesAndMeetWhatTheScalarEngineMeets) {
-  const auto photons = photons_from_all_sides(scaled(8000));
+  const auto photons = photons_towards_the_middle(scaled(8000));
   for (const double gm : {0.0, 20.0, 400.0}) {
     const PlannedSpace space = space_about(gm, 1e-4);
     ASSERT_TRUE(space.lanes) << space.no_lanes_because;
@@ -85,12 +85,13 @@ TEST(SeenPath, StepsNearShapesStayInLanesAndMeetWhatTheScalarEngineMeets) {
 }
 
 TEST(SeenPath, EveryInstructionSetSeesTheSame) {
-  expect_same_bits_with_every_set(space_about(400.0, 1e-4), photons_from_all_sides(scaled(3000)));
+  expect_same_bits_with_every_set(space_about(400.0, 1e-4),
+                                  photons_towards_the_middle(scaled(3000)));
 }
 
 TEST(SeenPath, RecordsGoByWhatIsMet) {
   const PlannedSpace space = space_about(20.0, 1e-4);
-  const auto photons = photons_from_all_sides(scaled(1000));
+  const auto photons = photons_towards_the_middle(scaled(1000));
   std::vector<Arrival> arrivals(photons.size());
   std::vector<PathRecord> records(photons.size());
   advance_with_records(space, photons, arrivals, records);

@@ -14,7 +14,7 @@ namespace {
 using test::Random;
 using test::scaled;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Whether the way from the origin goes through the triangle.
 bool crosses(const TriangleCorners& t, Vec3d way) {

@@ -15,7 +15,7 @@
 namespace portalens::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Vec3d area_of(const std::vector<Vec3d>& p, const std::array<std::size_t, 3>& t) {
   return cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]) * 0.5;

@@ -18,7 +18,7 @@
 namespace portalens::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 template <class Lamp>
 Lamp lamp_of(const std::string& keys) {

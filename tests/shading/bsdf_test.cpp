@@ -14,7 +14,7 @@
 namespace portalens::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 [[maybe_unused]] std::shared_ptr<const Image> no_image(const std::string&, const Location&) {
   return nullptr;

@@ -16,7 +16,7 @@
 namespace portalens::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double degree = pi / 180.0;
 
 template <class Lamp>

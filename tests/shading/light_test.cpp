@@ -14,7 +14,7 @@ namespace {
 
 using test::panel;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 const Texture white = Constant{{1, 1, 1}};
 
 /// Irradiance of the origin, facing +y, from one corner's rectangle of radiance 1 at height c:

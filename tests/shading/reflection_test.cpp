@@ -12,7 +12,7 @@
 namespace portalens {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Smith's masking of GGX.
 double lambda(double cosine, double alpha) {

@@ -20,7 +20,7 @@ using test::mirror_material;
 using test::plain_space;
 using test::shade_one;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// The square of half-width `half` around the origin, in the plane y = `height`, facing up.
 Quad floor_quad(double half, double height = 0.0) {

@@ -16,7 +16,7 @@
 namespace portalens::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A sum over a grid of directions, each times its solid angle.
 template <class Term>

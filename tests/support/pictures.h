@@ -1,9 +1,10 @@
 /// \file
-/// Pictures that the program has written.
+/// Pictures that the program has written, and those that it must not take.
 #pragma once
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
 
 #include "io/image.h"
@@ -16,6 +17,18 @@ inline Image picture_in(const SceneFolder& folder, const std::string& name) {
   auto image = read_image(folder.path() / name, Location{}, faults);
   EXPECT_TRUE(image) << name;
   return image.value_or(Image{});
+}
+
+/// What a reader says of an image that it must not take; "" where it takes it.
+inline std::string refusal_of_image(const std::filesystem::path& file) {
+  Faults faults;
+  EXPECT_FALSE(read_image(file, {}, faults)) << file;
+  try {
+    faults.raise();
+  } catch (const SceneError& error) {
+    return error.what();
+  }
+  return "";
 }
 
 }  // namespace portalens

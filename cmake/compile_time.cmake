@@ -7,6 +7,12 @@ function(precompile target)
     target_precompile_headers(${target} PRIVATE ${precompiled_headers} ${ARGN})
   endif()
 endfunction()
+# Together, eight files at a time: all of them take a third of the time, each alone more.
+function(compile_together target)
+  if(PORTALENS_UNITY)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  endif()
+endfunction()
 # Not for files with options of their own.
 function(precompile_not)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
