@@ -136,6 +136,7 @@ class NewcomerBsdf {
   }
   std::vector<const Texture*> textures() const { return {&color_}; }
   Rgb max_reflected() const { return brightest(color_); }
+  Rgb color() const { return max_reflected(); }
   bool answers() const { return true; }
   bool sends() const { return false; }
   struct Here {

@@ -14,8 +14,7 @@ namespace {
 constexpr std::size_t max_names = 40;
 
 Color faint_color(const Material& material) {
-  const Rgb color =
-      std::visit([](const auto& bsdf) { return bsdf.max_reflected(); }, material.bsdf());
+  const Rgb color = std::visit([](const auto& bsdf) { return bsdf.color(); }, material.bsdf());
   return color_from_linear(color + brightest(material.emitted())).with_alpha(0.13);
 }
 

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <memory>
 #include <thread>
 #include <tuple>
 
@@ -106,10 +107,11 @@ int packing_threads() {
 }  // namespace
 
 struct ExrFile::Open {
-  explicit Open(std::string_view bytes) : stream(bytes), file(stream, 0) {}
+  explicit Open(std::string_view bytes)
+      : stream(std::make_unique<MemoryInput>(bytes)), file(*stream, 0) {}
   [[nodiscard]] const Imf::Header& header() const { return file.header(0); }
 
-  MemoryInput stream;
+  std::unique_ptr<Imf::IStream> stream;
   Imf::MultiPartInputFile file;
 };
 

@@ -14,7 +14,6 @@
 namespace portalens {
 namespace {
 
-constexpr std::size_t max_materials = 10000;
 constexpr std::size_t max_faults = 100;
 constexpr std::int64_t first_mirroring = 3;  // illum 3: "reflection on and ray trace on"
 

@@ -2,6 +2,7 @@
 /// The materials of an ordinary OBJ mesh: MTL, as far as it says what ours can.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -11,6 +12,8 @@
 #include "io/mesh_warnings.h"
 
 namespace portalens {
+
+inline constexpr std::size_t max_materials = 10000;  ///< of one file
 
 /// One table of kind "material" for each `newmtl`, in our own keys: `Kd` (or the picture of
 /// `map_Kd`, which then replaces it) is `diffuse`, `Ke` `emitted`, `Pr` `roughness`, and `Ks`

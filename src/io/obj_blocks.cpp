@@ -3,12 +3,12 @@
 #include <utility>
 
 #include "core/words.h"
+#include "io/mtl.h"
 #include "io/obj_reader.h"
 
 namespace portalens {
 namespace {
 
-constexpr std::size_t max_materials = 10000;
 
 }  // namespace
 

@@ -16,9 +16,9 @@ namespace portalens {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Triple = std::array<float, 3>;
+using FloatTriple = std::array<float, 3>;
 
-Triple floats(Vec3d v) {
+FloatTriple floats(Vec3d v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
@@ -39,7 +39,7 @@ std::string base64(std::string_view bytes) {
 
 /// Corners and the triangles or line segments between them.
 struct Solid {
-  std::vector<Triple> positions, colors;
+  std::vector<FloatTriple> positions, colors;
   std::vector<std::uint32_t> indices;
 };
 
@@ -90,14 +90,14 @@ class Document {
         {{"buffer", 0}, {"byteOffset", begin}, {"byteLength", 4 * count}, {"target", target}});
   }
 
-  std::size_t triples(const std::vector<Triple>& values, bool with_bounds) {
+  std::size_t triples(const std::vector<FloatTriple>& values, bool with_bounds) {
     Json accessor = {{"bufferView", view(values.front().data(), 3 * values.size(), 34962)},
                      {"componentType", 5126},
                      {"count", values.size()},
                      {"type", "VEC3"}};
     if (with_bounds) {
-      Triple low = values.front(), high = values.front();
-      for (const Triple& value : values)
+      FloatTriple low = values.front(), high = values.front();
+      for (const FloatTriple& value : values)
         for (std::size_t c = 0; c < 3; ++c) {
           low[c] = std::min(low[c], value[c]);
           high[c] = std::max(high[c], value[c]);

@@ -27,6 +27,9 @@ struct Photon {
   std::uint32_t pixel_sample = 0;  ///< its number among the samples of its pixel
   std::uint64_t random_key = 0;    ///< (pixel, place in the tree)
   SelfIntersectionGuard guard;     ///< the surface it starts on, if any
+  /// Of directions as likely as its own, per solid angle, if lamps are asked for what it finds,
+  /// too.
+  double density = 0.0;
 };
 
 enum class Met : std::uint8_t { nothing, surface, portal_back, mass };

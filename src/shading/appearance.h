@@ -2,6 +2,7 @@
 /// Everything that decides how things look, once it is known what light has met.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -31,6 +32,7 @@ struct Body {
   std::uint32_t material = 0;
   std::vector<std::uint32_t> face_materials;  ///< a mesh's own, one a face; or empty
   std::optional<std::uint32_t> mass;          ///< index into `Space::masses`
+  double found_area = 0.0;  ///< of the lamp that it is, and that surfaces ask; 0 if it is none
 
   [[nodiscard]] std::uint32_t material_of(std::uint32_t face) const {
     return face < face_materials.size() ? face_materials[face] : material;
@@ -42,6 +44,7 @@ struct Appearance {
   std::vector<Material> materials;
   std::vector<Light> lights;
   std::vector<std::string> light_names;  ///< one a light
+  std::optional<std::size_t> sky_light;  ///< which of them is the environment
   Environment environment;
   ShadingLimits limits;
 };

@@ -25,6 +25,8 @@ class AreaLight {
   [[nodiscard]] std::optional<Shape> body() const {
     return visible_ ? std::optional(shines_.shape()) : std::nullopt;
   }
+  /// Of what photons find of it, too: none of what is not seen.
+  [[nodiscard]] double found_area() const { return visible_ ? shines_.area() : 0.0; }
   [[nodiscard]] Rgb radiance() const { return brightest(shines_.emitted()); }
 
  protected:

@@ -13,7 +13,14 @@ namespace portalens {
 struct BsdfSample {
   Vec3d direction;  ///< unit, away from the surface
   Rgb color;
-  double weight = 1.0;  ///< 0 to 1
+  double weight = 1.0;   ///< 0 to 1
+  double density = 0.0;  ///< of such directions, per solid angle, where `glossy` tells them, too
+};
+
+/// What a BSDF tells of a pair of directions whose light photons find, too.
+struct Glossy {
+  Rgb value;             ///< the reflectance factor: pi times the BRDF
+  double density = 0.0;  ///< with which `sample` draws the one that light comes from
 };
 
 /// One comparison in place of three.

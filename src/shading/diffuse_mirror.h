@@ -24,6 +24,7 @@ class DiffuseMirror {
 
   [[nodiscard]] std::vector<const Texture*> textures() const { return {&diffuse_, &reflective_}; }
   [[nodiscard]] Rgb max_reflected() const { return brightest_sum(diffuse_, reflective_); }
+  [[nodiscard]] Rgb color() const { return max_reflected(); }
   [[nodiscard]] bool answers() const { return diffuses_; }
   [[nodiscard]] bool sends() const { return mirrors_; }
   [[nodiscard]] double roughness() const { return roughness_; }

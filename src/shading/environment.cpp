@@ -36,15 +36,17 @@ Environment Environment::from(Parameters& parameters, const ImageLoader& load) {
 }
 
 Rgb Environment::radiance(Vec3d direction) const {
-  Rgb sum = color;
-  if (image) {
-    const double azimuth = std::atan2(direction.x, -direction.z);  // 0 at -z, pi/2 at +x
-    const double height = std::asin(std::clamp(direction.y, -1.0, 1.0)) / pi;
-    sum = radiance_at(0.5 + (azimuth / (2.0 * pi) + turns(rotation)), 0.5 - height);
-  }
+  Rgb sum = radiance_beside_discs(direction);
   for (const SkyDisc& disc : discs)
-    if (dot(direction, disc.towards) >= disc.cos_edge) sum += disc.radiance;
+    if (disc.is_seen_in(direction)) sum += disc.radiance;
   return sum;
+}
+
+Rgb Environment::radiance_beside_discs(Vec3d direction) const {
+  if (!image) return color;
+  const double azimuth = std::atan2(direction.x, -direction.z);  // 0 at -z, pi/2 at +x
+  const double height = std::asin(std::clamp(direction.y, -1.0, 1.0)) / pi;
+  return radiance_at(0.5 + (azimuth / (2.0 * pi) + turns(rotation)), 0.5 - height);
 }
 
 bool is_black(const Environment& sky) {

@@ -24,6 +24,8 @@ struct Environment {
   static Environment from(Parameters& parameters, const ImageLoader& load);
   /// @param direction  unit vector towards the sky
   [[nodiscard]] Rgb radiance(Vec3d direction) const;
+  /// The same without the discs.
+  [[nodiscard]] Rgb radiance_beside_discs(Vec3d direction) const;
 
   /// The direction that is seen at a place of the image, from its top left: both 0 to 1 over it.
   [[nodiscard]] Vec3d direction_of(double right, double down) const;

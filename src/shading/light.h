@@ -16,7 +16,14 @@
 ///       W, of all that leaves it, on each side that shines; a texture's by many points of it; of
 ///       what is infinitely far W/m²: of a surface that faces it, or, of what is all round, in the
 ///       mean over all directions that a surface may face
-/// and is immutable. What may be a thing that photons meet has, too,
+/// and is immutable. What photons find, too, shares the light of glossy surfaces with them
+/// (shading/lamp_share.h), if it has
+///   double found_area() const;           of what can be met of it; 0 if nothing
+///   double density(Vec3d direction) const;
+///       or, if it is infinitely far, of the directions it draws, per solid angle; infinite if it
+///       is not seen
+/// else such surfaces ask it for all its light if it is delta, and leave it to photons if not. What
+/// may be a thing of its own has
 ///   std::optional<Shape> body() const;                   nothing if it shall not be met
 ///   Rgb radiance() const;                                of its front; behind it is black
 /// what is infinitely far

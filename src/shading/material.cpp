@@ -9,12 +9,31 @@
 
 namespace portalens {
 
+namespace {
+
+/// What the keys of a table tell of its type.
+std::string usual_type(Parameters& parameters) {
+  for (const char* key : {"base_color", "metallic", "ior"})
+    if (parameters.has(key)) {
+      for (const char* other : {"diffuse", "reflective"})
+        if (parameters.has(other))
+          parameters.fault(other, std::string(other) + " and " + key + " are of different surfaces",
+                           "give one of the two");
+      return std::string(MetallicRoughness::name);
+    }
+  return std::string(DiffuseMirror::name);
+}
+
+}  // namespace
+
 Material Material::from(Parameters& parameters, const ImageLoader& load) {
   const std::vector<std::string_view> types = Choice<Bsdf>::names();
-  const std::string type = parameters.choice("type", types, std::string(types.front()));
+  const std::string type =
+      parameters.has("type") ? parameters.choice("type", types) : usual_type(parameters);
   auto bsdf = Choice<Bsdf>::make(type, parameters, load);
   return Material(bsdf ? std::move(*bsdf) : Bsdf{},
-                  texture_from(parameters, "emitted", Constant{{}}, load));
+                  scaled(texture_from(parameters, "emitted", Constant{{}}, load),
+                         parameters.number("emission_strength", non_negative, 1.0)));
 }
 
 Material::Material(Bsdf bsdf, Texture emitted, Shines shines)

@@ -23,6 +23,8 @@ class MeshLight {
 
   [[nodiscard]] LightSample sample(Vec3d x, double u1, double u2) const;
   [[nodiscard]] double area() const { return choice_.area(); }
+  /// Of what photons find of it, too.
+  [[nodiscard]] double found_area() const { return choice_.area(); }
   [[nodiscard]] Rgb power() const;
 
  private:

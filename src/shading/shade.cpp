@@ -9,6 +9,7 @@
 
 #include "math/random.h"
 #include "math/sobol.h"
+#include "shading/lamp_share.h"
 #include "shading/shading_point.h"
 
 namespace portalens {
@@ -49,7 +50,7 @@ class Shader {
       case Fate::hit:
         return shade_surface();
       case Fate::escaped:
-        return add_light(share_ * appearance_.environment.radiance(arrival_->direction));
+        return add_light(share_ * sky());
       case Fate::lost:
         // In an endless corridor: what would be seen at its end.
         if (arrival.out_of_crossings && !appearance_.limits.lost_color_given)
@@ -71,6 +72,11 @@ class Shader {
     contribution.slot = photon_->slot;
   }
 
+  [[nodiscard]] Rgb sky() const {
+    return photon_->density > 0.0 ? shared_sky(appearance_, *photon_, *arrival_)
+                                  : appearance_.environment.radiance(arrival_->direction);
+  }
+
   void shade_surface() {
     if (const Quad* quad = points_.plain_quad(*arrival_))
       shade_place(points_.on(*quad, *arrival_));
@@ -82,7 +88,9 @@ class Shader {
 
   [[gnu::always_inline]] void shade_place(const ShadedSurface& place) {
     const Material& material = appearance_.materials[place.point.material];
-    const Rgb emitted = material.emitted_at(place.surface, arrival_->direction);
+    Rgb emitted = material.emitted_at(place.surface, arrival_->direction);
+    if (photon_->density > 0.0)
+      emitted = emitted * share_of_photon(appearance_, *photon_, *arrival_);
     std::visit(
         [&](const auto& bsdf) __attribute__((always_inline)) {
           shade_point(place.point, bsdf.at(place.surface), emitted, bsdf.sends());
@@ -96,8 +104,12 @@ class Shader {
                                           bool sends) {
     const Rgb albedo = bsdf.albedo(point.normal, -arrival_->direction);
     add_light(share_ * (emitted + albedo * appearance_.limits.ambient));
-    if (!is_black(share_ * albedo)) ask_lights(point, bsdf);
-    if (sends && photon_->bounces < appearance_.limits.max_bounces) send_sampled(point, bsdf);
+    if (HasGlossy<Here> || !is_black(share_ * albedo)) ask_lights(point, bsdf);
+    if (sends && may_bounce()) send_sampled(point, bsdf);
+  }
+
+  [[nodiscard]] bool may_bounce() const {
+    return photon_->bounces < appearance_.limits.max_bounces;
   }
 
   template <class Here>
@@ -119,6 +131,7 @@ class Shader {
     secondary.pixel_sample = photon_->pixel_sample;
     secondary.random_key = combined(photon_->random_key, secondary_purpose);
     secondary.guard = point.leaving(sample->direction);
+    secondary.density = sample->density;
     output_.secondary.push_back(secondary);
   }
 
@@ -148,11 +161,27 @@ class Shader {
     }
   }
 
+  /// How a sample of a light is drawn.
+  struct Drawn {
+    double count;        ///< of the samples that it is one of
+    double density = 0;  ///< where photons find it, too
+  };
+  template <class Here, class Any>
+  [[nodiscard]] static double density_for(const Here&, const Any& light, const LightSample& sample,
+                                          Vec3d from) {
+    if constexpr (HasGlossy<Here>)
+      return density_of(light, sample, from);
+    else
+      return 0.0;
+  }
+
   /// @param count  of the samples that this is one of
   template <class Here, class Any>
   [[gnu::always_inline]] void ask_light(const ShadingPoint& point, const Here& bsdf,
                                         const Any& light, double u1, double u2, double count) {
-    ask(point, bsdf, light.sample(point.lit_at(), u1, u2), count, {1, 1, 1}, no_portal);
+    const LightSample sample = light.sample(point.lit_at(), u1, u2);
+    ask(point, bsdf, sample, {count, density_for(bsdf, light, sample, point.lit_at())}, {1, 1, 1},
+        no_portal);
     if (!space_.portals.portals().empty()) ask_images(point, bsdf, light, u1, u2, count);
   }
 
@@ -167,10 +196,12 @@ class Shader {
       if (!motion) continue;
       const double height = portal.frame.to_local(point.lit_at()).z;
       if (height < -portal.height_tolerance() && !portal.two_sided) continue;
-      LightSample image = light.sample(motion->move(point.lit_at()), u1, u2);
+      const Vec3d seen_from = motion->move(point.lit_at());
+      LightSample image = light.sample(seen_from, u1, u2);
+      const Drawn drawn{count, density_for(bsdf, light, image, seen_from)};
       image.position =
           image.distant ? motion->rotate_back(image.position) : motion->move_back(image.position);
-      if (crosses(i, point, end_of(image, point))) ask(point, bsdf, image, count, portal.tint, i);
+      if (crosses(i, point, end_of(image, point))) ask(point, bsdf, image, drawn, portal.tint, i);
     }
   }
 
@@ -199,12 +230,12 @@ class Shader {
 
   template <class Here>
   [[gnu::always_inline]] void ask(const ShadingPoint& point, const Here& bsdf,
-                                  const LightSample& sample, double count, Rgb tint,
+                                  const LightSample& sample, const Drawn& drawn, Rgb tint,
                                   std::uint32_t portal) {
     const Vec3d from = point.lit_at(), way = sample.way_from(from);
     if (!(dot(way, point.outward) > 0.0) && !point.bulges()) return;
-    const Rgb value = bsdf.value(point.normal, -arrival_->direction, normalize(way));
-    const Rgb share = share_ * value / std::numbers::pi / count * tint;
+    const Rgb value = answer_of(point, bsdf, normalize(way), drawn);
+    const Rgb share = share_ * value / std::numbers::pi / drawn.count * tint;
     const Rgb light = share * irradiance(sample, from, point.normal);
     if (is_black(light)) return;
     ShadowQuery& query = output_.shadows.emplace_back();
@@ -215,6 +246,22 @@ class Shader {
     query.contribution = light;
     query.sample = photon_->sample;
     query.slot = photon_->slot;
+  }
+
+  /// What the surface gives of light along `in`; of what photons find, too, the lamps' share.
+  template <class Here>
+  [[gnu::always_inline]] Rgb answer_of(const ShadingPoint& point, const Here& bsdf, Vec3d in,
+                                       const Drawn& drawn) const {
+    const Vec3d out = -arrival_->direction;
+    Rgb value = bsdf.value(point.normal, out, in);
+    if constexpr (HasGlossy<Here>) {
+      const Glossy glossy =
+          bsdf.glossy(mirroring_normal(point.normal, point.outward, out), out, in);
+      // What no photon follows is the lamps'.
+      const double other = may_bounce() ? glossy.density : 0.0;
+      value += glossy.value * share_of(drawn.count * drawn.density, other);
+    }
+    return value;
   }
 
   const Space& space_;

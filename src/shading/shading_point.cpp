@@ -29,7 +29,13 @@ ShadedSurface ShadingPoints::on_back(const Arrival& arrival) const {
 
 Rgb albedo_of(const Appearance& appearance, const ShadedSurface& place, Vec3d out) {
   return std::visit(
-      [&](const auto& bsdf) { return bsdf.at(place.surface).albedo(place.point.normal, out); },
+      [&](const auto& bsdf) {
+        const auto here = bsdf.at(place.surface);
+        Rgb albedo = here.albedo(place.point.normal, out);
+        if constexpr (HasGlossy<decltype(here)>)
+          albedo += here.glossy_albedo(place.point.normal, out);
+        return albedo;
+      },
       appearance.materials[place.point.material].bsdf());
 }
 

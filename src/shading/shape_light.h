@@ -20,6 +20,8 @@ class ShapeLight {
   [[nodiscard]] const Texture& emitted() const { return emitted_; }
   [[nodiscard]] LightSample sample(Vec3d x, double u1, double u2) const;
   [[nodiscard]] double area() const { return area_; }
+  /// Of what photons find of it, too.
+  [[nodiscard]] double found_area() const { return area_; }
   [[nodiscard]] Rgb power() const;
 
  private:

@@ -97,8 +97,14 @@ void SkyLight::fill_tables() {
     shares[width - 1] = 1.0f;
     rows_.push_back(all += sum * band(row).height());
   }
+  total_ = all * 2.0 * pi / width_;
   for (double& up_to : rows_) up_to /= all;
   rows_.back() = 1.0;
+}
+
+double SkyLight::density(Vec3d direction) const {
+  const Rgb seen = sky_.radiance(direction);
+  return ((seen.x + seen.y + seen.z) / 3.0 + least_) / total_;
 }
 
 LightSample SkyLight::sample(Vec3d /*x*/, double u1, double u2) const {

@@ -23,6 +23,8 @@ class SkyLight {
   explicit SkyLight(const Environment& sky);
 
   [[nodiscard]] LightSample sample(Vec3d x, double u1, double u2) const;
+  /// Of the directions that are drawn, per solid angle: as bright as the sky is there.
+  [[nodiscard]] double density(Vec3d direction) const;
   /// W/m², of a surface, in the mean over all directions that it may face: π times the mean
   /// radiance.
   [[nodiscard]] Rgb power() const { return power_; }
@@ -56,6 +58,7 @@ class SkyLight {
   Environment sky_;
   int width_ = 1, height_ = 1;  ///< in pixels; a colour is one
   double least_ = 0.0;          ///< is added to the brightness everywhere
+  double total_ = 0.0;          ///< brightness, over all directions
   Rgb power_;
   std::vector<double> rows_;    ///< the share of the light up to and with each row of cells
   std::vector<float> columns_;  ///< of each row, up to and with each of its cells

@@ -1,6 +1,7 @@
 #include "shading/sun_light.h"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "shading/lamp_input.h"
@@ -32,6 +33,11 @@ LightSample SunLight::sample(Vec3d /*x*/, double u1, double u2) const {
   // Over the disc the cosine at a surface that faces it has the mean (1 + cos) / 2.
   sample.facing = irradiance_ * (2.0 / (1.0 + std::cos(half_angle_)));
   return sample;
+}
+
+double SunLight::density(Vec3d /*direction*/) const {
+  const auto seen = disc();
+  return seen ? seen->density() : std::numeric_limits<double>::infinity();
 }
 
 std::optional<SkyDisc> SunLight::disc() const {

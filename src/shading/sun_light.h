@@ -21,6 +21,8 @@ class SunLight {
   /// degrees: of none it is a point; `visible`, where nothing else is seen in its direction.
   static SunLight from(Parameters& parameters);
   [[nodiscard]] LightSample sample(Vec3d x, double u1, double u2) const;
+  /// Of the directions that are drawn, per solid angle; infinite where no photon finds it.
+  [[nodiscard]] double density(Vec3d direction) const;
   /// W/m², of a surface that faces it.
   [[nodiscard]] Rgb power() const { return irradiance_; }
   [[nodiscard]] Vec3d towards() const { return towards_; }

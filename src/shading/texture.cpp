@@ -76,7 +76,18 @@ Rgb bilinear(const Image& image, double x, double y, Rows rows) {
 Rgb Picture::at(double u, double v) const {
   const double x = wrapped(u, 1.0) * image->width;
   const double y = (1.0 - wrapped(v, 1.0)) * image->height;
-  return bilinear(*image, x, y, Rows::repeat);
+  return bilinear(*image, x, y, Rows::repeat) * scale;
+}
+
+Texture scaled(Texture texture, double by) {
+  struct Scale {
+    double by;
+    void operator()(Constant& t) const { t.color = t.color * by; }
+    void operator()(Checker& t) const { t.first = t.first * by, t.second = t.second * by; }
+    void operator()(Picture& t) const { t.scale *= by; }
+  };
+  std::visit(Scale{by}, texture);
+  return texture;
 }
 
 Rgb brightest(const Texture& texture) {
@@ -88,7 +99,7 @@ Rgb brightest(const Texture& texture) {
       for (int y = 0; y < t.image->height; ++y) {
         for (int x = 0; x < t.image->width; ++x) most = highest(most, pixel(*t.image, x, y));
       }
-      return most;
+      return most * t.scale;
     }
   };
   return std::visit(Brightest{}, texture);
@@ -106,7 +117,8 @@ Rgb brightest_sum(const Texture& one, const Texture& other) {
       if (p.width != q.width || p.height != q.height) return brightest(a) + brightest(b);
       Rgb most;
       for (int y = 0; y < p.height; ++y)
-        for (int x = 0; x < p.width; ++x) most = highest(most, pixel(p, x, y) + pixel(q, x, y));
+        for (int x = 0; x < p.width; ++x)
+          most = highest(most, pixel(p, x, y) * a.scale + pixel(q, x, y) * b.scale);
       return most;
     }
     Rgb operator()(const Texture& a, const Texture& b) const { return brightest(a) + brightest(b); }

@@ -49,6 +49,7 @@ struct Checker {
 /// Bilinear, repeated in both directions; v = 0 is the bottom row.
 struct Picture {
   std::shared_ptr<const Image> image;
+  double scale = 1.0;  ///< by which its colours are multiplied
   [[nodiscard]] Rgb at(const SurfacePoint& point) const { return at(point.u, point.v); }
 
  private:
@@ -65,6 +66,9 @@ using Texture = std::variant<Constant, Checker, Picture>;
 [[nodiscard]] inline bool uses_coordinates(const Texture& texture) {
   return std::holds_alternative<Picture>(texture);
 }
+
+/// The same, all its colours multiplied.
+[[nodiscard]] Texture scaled(Texture texture, double by);
 
 /// The largest value of each channel anywhere on the texture.
 [[nodiscard]] Rgb brightest(const Texture& texture);

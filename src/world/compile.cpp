@@ -190,6 +190,7 @@ void take_lights(std::vector<NamedLight> lights, Appearance& look) {
             if (const auto disc = one.disc()) look.environment.discs.push_back(*disc);
         },
         light.light);
+    if (std::holds_alternative<SkyLight>(light.light)) look.sky_light = look.lights.size();
     look.light_names.push_back(std::move(light.name));
     look.lights.push_back(std::move(light.light));
   }

@@ -42,6 +42,17 @@ struct EmitterOf {
   }
 };
 
+double found_area_of(const Light& light) {
+  return std::visit(
+      [](const auto& one) {
+        if constexpr (requires { one.found_area(); })
+          return one.found_area();
+        else
+          return 0.0;
+      },
+      light);
+}
+
 }  // namespace
 
 std::vector<NamedLight> read_lights(const std::vector<Table>& tables, Names& names,
@@ -61,12 +72,14 @@ std::vector<NamedLight> read_lights(const std::vector<Table>& tables, Names& nam
   return lights;
 }
 
-std::vector<NamedLight> emitters(const Objects& objects, const std::vector<Material>& materials) {
+std::vector<NamedLight> emitters(Objects& objects, const std::vector<Material>& materials) {
   std::vector<NamedLight> lights;
   for (std::size_t i = 0; i < objects.shapes.size(); ++i) {
-    const Body& body = objects.bodies[i];
-    if (auto light = std::visit(EmitterOf{body, materials}, objects.shapes[i]))
-      lights.push_back({body.name, std::move(*light)});
+    Body& body = objects.bodies[i];
+    auto light = std::visit(EmitterOf{body, materials}, objects.shapes[i]);
+    if (!light) continue;
+    body.found_area = found_area_of(*light);
+    lights.push_back({body.name, std::move(*light)});
   }
   for (const Portal& portal : objects.portals) {
     if (!portal.back_material || !materials[*portal.back_material].emits()) continue;
@@ -99,6 +112,7 @@ void add_lamp_bodies(const std::vector<NamedLight>& lights, Objects& objects,
               Body body;
               body.name = lamp.name;
               body.kind = "lamp";
+              body.found_area = found_area_of(lamp.light);
               body.material = static_cast<std::uint32_t>(materials.size());
               objects.shapes.push_back(std::move(*shape));
               objects.bodies.push_back(std::move(body));

@@ -21,8 +21,9 @@ struct NamedLight {
 [[nodiscard]] std::vector<NamedLight> read_lights(const std::vector<Table>& tables, Names& names,
                                                   Faults& faults);
 
-/// A light for each body and each portal's back that emits, in their order.
-[[nodiscard]] std::vector<NamedLight> emitters(const Objects& objects,
+/// A light for each body and each portal's back that emits, in their order. Bodies are told how
+/// large they are as lamps.
+[[nodiscard]] std::vector<NamedLight> emitters(Objects& objects,
                                                const std::vector<Material>& materials);
 
 /// The environment, if it shall light what is there, is not black, and something there answers.
