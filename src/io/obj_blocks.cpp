@@ -7,10 +7,7 @@
 #include "io/obj_reader.h"
 
 namespace portalens {
-namespace {
-
-
-}  // namespace
+namespace {}  // namespace
 
 bool ObjReader::perspective_camera() { return camera("perspective", "angle", "fov"); }
 bool ObjReader::orthographic_camera() { return camera("orthographic", "size", "size"); }
