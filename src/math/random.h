@@ -16,7 +16,8 @@ namespace portalens {
 }
 
 /// A key that depends on both. Inlined always: so it may run beside what is computed about it.
-[[nodiscard, gnu::always_inline]] constexpr std::uint64_t combined(std::uint64_t key, std::uint64_t with) {
+[[nodiscard, gnu::always_inline]] constexpr std::uint64_t combined(std::uint64_t key,
+                                                                   std::uint64_t with) {
   return mixed(mixed(key) ^ (with * 0xd1342543de82ef95u + 0x2545f4914f6cdd1du));
 }
 
