@@ -68,8 +68,8 @@ void about_materials(const World& world, Warnings& warnings) {
         std::visit([](const auto& bsdf) { return bsdf.max_reflected(); }, material.bsdf()));
     if (most > 1.0)
       warnings.push_back(
-          fmt::format("material {} gives back more light than it gets: its colours "
-                      "reach {:.4g}; {}",
+          fmt::format("material {} gives back more light than it gets: its share "
+                      "reaches {:.4g}; {}",
                       in_quotes(material.name), most,
                       most > 2.0 ? "colours go from 0 to 1, not to 255"
                                  : "lower one of them (a metal has a diffuse of 0)"));
