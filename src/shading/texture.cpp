@@ -4,47 +4,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 
 #include "core/words.h"
+#include "geometry/extent.h"
+#include "geometry/two_lengths.h"
 #include "math/srgb.h"
 
 namespace portalens {
 namespace {
 
-/// The remainder of the floored division, in [0, period).
-double wrapped(double x, double period) {
-  const double rest = x - std::floor(x / period) * period;
-  return rest >= 0.0 && rest < period ? rest : 0.0;
-}
-
 Rgb highest(Rgb a, Rgb b) { return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}; }
 
-Rgb mixed_colors(Rgb a, Rgb b, double share) { return a * (1.0 - share) + b * share; }
-
-/// The two whole neighbours of a continuous coordinate, and the share of the second.
-struct Neighbours {
-  int first = 0, second = 0;
-  double share = 0.0;
-};
-
-Neighbours repeated(double x, int count) {
-  const double low = std::floor(x - 0.5);
-  const int first = static_cast<int>(wrapped(low, count));
-  return {first, (first + 1) % count, (x - 0.5) - low};
-}
-
-Neighbours clamped(double x, int count) {
-  // What is no number counts as 0: it is looked at no place that is none.
-  const double place = x > 0.5 ? std::min(x - 0.5, count - 1.0) : 0.0;
-  const int first = static_cast<int>(place);
-  return {first, std::min(first + 1, count - 1), place - first};
-}
-
-Checker checker_from(Parameters& outer, std::string_view key, const Value::Dictionary& entries) {
-  const Table table{outer.kind() + "'s " + std::string(key), outer.where(key), entries};
-  Parameters parameters(table, outer.faults());
+Checker checker_from(const Table& table, Faults& faults) {
+  Parameters parameters(table, faults);
   const std::vector<Triple> colors = parameters.points("checker", 2, 2);
   Checker checker;
   checker.size = parameters.number("size", positive, 1.0);
@@ -61,23 +36,6 @@ Checker checker_from(Parameters& outer, std::string_view key, const Value::Dicti
 }
 
 }  // namespace
-
-Rgb bilinear(const Image& image, double x, double y, Rows rows) {
-  const Neighbours column = repeated(x, image.width);
-  const Neighbours row =
-      rows == Rows::repeat ? repeated(y, image.height) : clamped(y, image.height);
-  const Rgb top = mixed_colors(pixel(image, column.first, row.first),
-                               pixel(image, column.second, row.first), column.share);
-  const Rgb bottom = mixed_colors(pixel(image, column.first, row.second),
-                                  pixel(image, column.second, row.second), column.share);
-  return mixed_colors(top, bottom, row.share);
-}
-
-Rgb Picture::at(double u, double v) const {
-  const double x = wrapped(u, 1.0) * image->width;
-  const double y = (1.0 - wrapped(v, 1.0)) * image->height;
-  return bilinear(*image, x, y, Rows::repeat) * scale;
-}
 
 Texture scaled(Texture texture, double by) {
   struct Scale {
@@ -114,7 +72,8 @@ Rgb brightest_sum(const Texture& one, const Texture& other) {
     /// Between the centres of pixels both are bilinear, and so is their sum.
     Rgb operator()(const Picture& a, const Picture& b) const {
       const Image &p = *a.image, &q = *b.image;
-      if (p.width != q.width || p.height != q.height) return brightest(a) + brightest(b);
+      if (p.width != q.width || p.height != q.height || a.placement != b.placement)
+        return brightest(a) + brightest(b);
       Rgb most;
       for (int y = 0; y < p.height; ++y)
         for (int x = 0; x < p.width; ++x)
@@ -127,6 +86,57 @@ Rgb brightest_sum(const Texture& one, const Texture& other) {
 }
 
 namespace {
+
+std::optional<std::array<double, 2>> two_numbers(Parameters& parameters, std::string_view key) {
+  const Value* value = parameters.raw(key);
+  if (!value) return std::array{0.0, 0.0};
+  std::array<double, 2> pair{};
+  const auto* list = std::get_if<Value::List>(&value->data);
+  bool sound = list && list->size() == 2;
+  for (std::size_t i = 0; sound && i < 2; ++i) {
+    const Value& one = (*list)[i];
+    if (const auto* integer = std::get_if<std::int64_t>(&one.data))
+      pair[i] = static_cast<double>(*integer);
+    else if (const auto* number = std::get_if<double>(&one.data))
+      pair[i] = *number;
+    else
+      sound = false;
+    sound = sound && std::fabs(pair[i]) <= largest_coordinate;
+  }
+  if (sound) return pair;
+  parameters.fault(key, std::string(key) + " is " + describe(*value) + " that gives no two numbers",
+                   "give [right, up]");
+  return std::nullopt;
+}
+
+/// @return nothing after a fault
+std::optional<Picture> picture_from(const Table& table, Faults& faults, const ImageLoader& load) {
+  constexpr std::array<std::string_view, 3> wraps{"repeat", "clamp",
+                                                  "mirror"};  // in `Wrap`'s order
+  Parameters parameters(table, faults);
+  const std::size_t before = faults.size();
+  Picture picture{load(parameters.text("image"), parameters.where("image"))};
+  Placement placement;
+  const Value* size = parameters.raw("size");
+  if (size) {
+    placement.size = two_lengths(parameters, "size", OneNumber::stands_for_both,
+                                 "give the width of the picture, or [width, height]");
+    const bool one = !std::holds_alternative<Value::List>(size->data);
+    if (one && placement.size && picture.image)
+      (*placement.size)[1] *= double{1} * picture.image->height / picture.image->width;
+  }
+  placement.offset = two_numbers(parameters, "offset").value_or(placement.offset);
+  const double turned = std::remainder(parameters.number("rotation", any_number, 0.0), 360.0) *
+                        std::numbers::pi / 180;
+  placement.cosine = std::cos(turned);
+  placement.sine = std::sin(turned);
+  const std::string wrap = parameters.choice("wrap", wraps, std::string(wraps[0]));
+  placement.wrap = static_cast<Wrap>(std::find(wraps.begin(), wraps.end(), wrap) - wraps.begin());
+  parameters.finish();
+  if (!picture.image || faults.size() > before) return std::nullopt;
+  picture.placement = placement;
+  return picture;
+}
 
 /// A colour as the web writes it, `#ff8000`, is no file: tells it as numbers.
 /// @return whether it is one
@@ -158,13 +168,17 @@ Texture texture_from(Parameters& parameters, std::string_view key, const Texture
     return Picture{std::move(image)};
   }
   if (const auto* entries = std::get_if<Value::Dictionary>(&value->data)) {
-    return checker_from(parameters, key, *entries);
+    const Table table{parameters.kind() + "'s " + std::string(key), value->where, *entries};
+    if (!table.find("image")) return checker_from(table, parameters.faults());
+    const auto picture = picture_from(table, parameters.faults(), load);
+    return picture ? Texture(*picture) : fallback;
   }
   if (std::holds_alternative<Value::List>(value->data)) {
     return Constant{to_vec3(parameters.triple(key, non_negative))};
   }
   parameters.fault(key, std::string(key) + " is neither a colour nor a texture",
-                   "give [r, g, b], an image's file name, or "
+                   "give [r, g, b], an image's file name, "
+                   "{ image = \"file\", size = 1.0 } or "
                    "{ checker = [[r, g, b], [r, g, b]], size = 1.0 }");
   return fallback;
 }

@@ -1,5 +1,5 @@
 /// \file
-/// What colour a surface has where: one colour, a checker, or an image.
+/// What colour a surface has where: one colour, a checker, or a picture.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +11,7 @@
 #include "core/image.h"
 #include "core/parameters.h"
 #include "geometry/ray.h"
+#include "shading/picture.h"
 
 namespace portalens {
 
@@ -46,16 +47,6 @@ struct Checker {
   }
 };
 
-/// Bilinear, repeated in both directions; v = 0 is the bottom row.
-struct Picture {
-  std::shared_ptr<const Image> image;
-  double scale = 1.0;  ///< by which its colours are multiplied
-  [[nodiscard]] Rgb at(const SurfacePoint& point) const { return at(point.u, point.v); }
-
- private:
-  [[nodiscard]] Rgb at(double u, double v) const;
-};
-
 using Texture = std::variant<Constant, Checker, Picture>;
 
 [[nodiscard]] inline Rgb color_at(const Texture& texture, const SurfacePoint& point) {
@@ -64,7 +55,8 @@ using Texture = std::variant<Constant, Checker, Picture>;
 
 /// Whether its colour depends on `u` and `v` on a flat face, too: those take long to find there.
 [[nodiscard]] inline bool uses_coordinates(const Texture& texture) {
-  return std::holds_alternative<Picture>(texture);
+  const auto* picture = std::get_if<Picture>(&texture);
+  return picture && picture->uses_coordinates();
 }
 
 /// The same, all its colours multiplied.
@@ -75,19 +67,9 @@ using Texture = std::variant<Constant, Checker, Picture>;
 /// The same of the sum of two that lie on each other; or more, where they are not of one pattern.
 [[nodiscard]] Rgb brightest_sum(const Texture& one, const Texture& other);
 
-/// What `key` says: `[r, g, b]`, `{ checker = [[r,g,b], [r,g,b]], size = s }` or an image's file.
+/// What `key` says: `[r, g, b]`, `{ checker = [[r,g,b], [r,g,b]], size = s }`, an image's file, or
+/// `{ image = "file", size, offset, rotation, wrap }`.
 [[nodiscard]] Texture texture_from(Parameters& parameters, std::string_view key,
                                    const Texture& fallback, const ImageLoader& load);
-
-/// The first three channels of one pixel.
-[[nodiscard]] inline Rgb pixel(const Image& image, int x, int y) {
-  const float* p = image.at(x, y);
-  return {p[0], p[1], p[2]};
-}
-
-/// The image at column `x` and row `y`, both continuous: pixel centres lie at halves. Columns
-/// repeat; rows repeat too, or stop at the edge.
-enum class Rows { repeat, clamp };
-[[nodiscard]] Rgb bilinear(const Image& image, double x, double y, Rows rows);
 
 }  // namespace portalens

@@ -84,6 +84,69 @@ TEST(Picture, RepeatsInBothDirections) {
   EXPECT_NEAR(picture.at(curved_point(0.0, 0.25)).x, 3.5, 1e-12);
 }
 
+Picture placed(const Placement& placement) {
+  Picture picture{two_by_two()};
+  picture.placement = placement;
+  return picture;
+}
+
+TEST(Picture, OfASizeLiesInLengthsOnFlatFaces) {
+  Placement at;
+  at.size = {4.0, 2.0};
+  at.offset = {1.0, -1.0};
+  const Picture picture = placed(at), plain{two_by_two()};
+  EXPECT_FALSE(picture.uses_coordinates());
+  test::Random random(4);
+  for (int i = 0; i < 200; ++i) {
+    const double u = random.uniform(-3, 3), v = random.uniform(-3, 3);
+    const Rgb expected = plain.at(curved_point(u, v));
+    EXPECT_NEAR(picture.at(flat_point(1 + 4 * u, -1 + 2 * v)).x, expected.x, 1e-9);
+    EXPECT_NEAR(picture.at(curved_point(1 + 4 * u, -1 + 2 * v)).x, expected.x, 1e-9);
+  }
+}
+
+TEST(Picture, WithoutASizeLiesInItsCoordinates) {
+  Placement at;
+  at.offset = {0.25, 0.0};
+  EXPECT_TRUE(placed(at).uses_coordinates());
+  EXPECT_DOUBLE_EQ(placed(at).at(curved_point(0.5, 0.25)).x, 3);
+  EXPECT_DOUBLE_EQ(placed(at).at(flat_point(7, 8)).x,
+                   (Picture{two_by_two()}.at(curved_point(0.1 - 0.25, 0.1)).x));
+}
+
+/// By a right angle to the left: its bottom edge goes up.
+TEST(Picture, TurnsToTheLeft) {
+  Placement at;
+  at.size = {2.0, 2.0};
+  at.cosine = 0.0, at.sine = 1.0;
+  EXPECT_NEAR(placed(at).at(flat_point(-0.5, 0.5)).x, 3, 1e-12);  // lower left
+  EXPECT_NEAR(placed(at).at(flat_point(-0.5, 1.5)).x, 4, 1e-12);  // lower right
+  EXPECT_NEAR(placed(at).at(flat_point(-1.5, 0.5)).x, 1, 1e-12);  // upper left
+}
+
+TEST(Picture, GoesOnAsItsWrapSays) {
+  Placement at;
+  at.wrap = Wrap::clamp;
+  EXPECT_DOUBLE_EQ(placed(at).at(curved_point(0.0, 0.0)).x, 3);
+  EXPECT_DOUBLE_EQ(placed(at).at(curved_point(-5, 0.25)).x, 3);
+  EXPECT_DOUBLE_EQ(placed(at).at(curved_point(9, 0.25)).x, 4);
+  EXPECT_DOUBLE_EQ(placed(at).at(curved_point(0.25, 9)).x, 1);
+  at.wrap = Wrap::mirror;
+  test::Random random(5);
+  for (int i = 0; i < 200; ++i) {
+    const double u = random.uniform(0.25, 0.75), v = random.uniform(0.25, 0.75);
+    const double here = placed(at).at(curved_point(u, v)).x;
+    for (const double other : {-u, 2 - u, 2 + u, u - 4})
+      EXPECT_NEAR(placed(at).at(curved_point(other, v)).x, here, 1e-9);
+    EXPECT_NEAR(placed(at).at(curved_point(u, -v)).x, here, 1e-9);
+  }
+  for (const Wrap wrap : {Wrap::repeat, Wrap::clamp, Wrap::mirror}) {
+    at.wrap = wrap;
+    for (const double far : {1e300, -1e300, std::nan("")})
+      EXPECT_TRUE(is_finite(placed(at).at(curved_point(far, 0.3))));
+  }
+}
+
 TEST(Texture, ItsBrightestIsNowhereSurpassed) {
   const Texture texture = Picture{two_by_two()};
   test::Random random(3);
